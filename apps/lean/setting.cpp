@@ -112,6 +112,8 @@ std::vector<std::string> changes(const Setting& wanted, const Setting& given) {
     const std::string key = "bodies." + to.name + ".beam.";
     if (to.elements != from.elements)
       list.push_back(fmt::format("{}elements={}", key, to.elements));
+    if (to.elements != from.elements && to.numbering > 0)
+      list.push_back(fmt::format("{}numbering={}", key, to.numbering));
     if (to.order != from.order) list.push_back(fmt::format("{}order={}", key, to.order));
     if (to.rigid && !from.rigid) list.push_back(key + "as=\"rigid\"");
     if (to.segments && !from.segments) list.push_back(key + "as=\"segments\"");

@@ -19,6 +19,7 @@ struct BeamSetting {
   int multiple = 1;  ///< numbers of elements that keep every place of the scene on a node are its
                      ///< multiples; 0: no other mesh does
   bool segments = false;  ///< a chain of segments
+  int numbering = 0;  ///< elements of the mesh by whose numbers the scene names places; 0: of any
 };
 
 /// One model of a scene.

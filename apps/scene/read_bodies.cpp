@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "apps/scene/numbering.hpp"
 #include "apps/scene/reader.hpp"
 #include "mbs/linalg/dense.hpp"
 #include "mbs/model/curves.hpp"
@@ -156,7 +157,8 @@ class BeamReader {
             key, fmt::format("beam '{}' has a point '{}', which is one of its nodes", name_, point),
             "another name");
       ok_ = ok_ && !taken;
-      const auto on = alone.port(name_ + "." + text(place, "on"));
+      const auto on =
+          alone.port(name_ + "." + Numbering(reader_.root, name_).port(text(place, "on")));
       if (!on)
         refuse(*place.get("on"), fmt::format("has no node '{}'", text(place, "on")),
                fmt::format("start, end, node0 to node{}{}", n_, n_ % 2 == 0 ? ", mid" : ""));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "apps/scene/numbering.hpp"
 #include "apps/scene/reader.hpp"
 #include "mbs/sections/buckling.hpp"
 #include "mbs/system/response_value.hpp"
@@ -30,7 +31,8 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
                         "a beam of several elements");
     return false;
   }
-  const auto port = reader.scene.mechanism.port(body.name + "." + place);
+  const auto port =
+      reader.scene.mechanism.port(body.name + "." + Numbering(reader.root, body.name).port(place));
   if (port && port->body == response.body && port->node > 0 && port->node < n) {
     response.s = static_cast<double>(port->node) / n;
     return true;
@@ -214,6 +216,30 @@ bool read_part_response(Reader& reader, const toml::table& table, ResponseSpec& 
   return true;
 }
 
+/// Component and element of a force of `response.body`, by the numbers of the scene.
+bool read_section_force(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const auto names = words("N Vy Vz Mx My Mz");
+  response.component = static_cast<int>(
+      std::find(names.begin(), names.end(), text(table, "component")) - names.begin());
+  const std::string place = text(table, "at");
+  response.place = place == "start" ? ElementPlace::First
+                   : place == "mid" ? ElementPlace::Middle
+                                    : ElementPlace::Last;
+  const BodySpec& body = reader.scene.mechanism.bodies[static_cast<std::size_t>(response.body)];
+  const int n = static_cast<int>(std::get<BeamSpec>(body.kind).sections.size()),
+            named = integer(table, "element");
+  const auto element = Numbering(reader.root, body.name).element(named, response.place);
+  response.element = element.value_or(0);
+  if (element && *element < n) return true;
+  reader.problems.add(*table.get("element"),
+                      element ? fmt::format("there is no element {}", named)
+                              : fmt::format("element {} of the numbering of '{}' ends, or has its "
+                                            "middle, where no element of the beam does",
+                                            named, body.name),
+                      fmt::format("0 to {}", n - 1), "elements count from 0");
+  return false;
+}
+
 bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const auto body = reader.body(*table.get("of"));
   if (!body) return false;
@@ -227,7 +253,6 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   response.body = *beam;
   const auto& spec =
       std::get<BeamSpec>(reader.scene.mechanism.bodies[static_cast<std::size_t>(*beam)].kind);
-  const int n = static_cast<int>(spec.sections.size());
   warn_of_rigid(reader, *beam, response);
   if (response.kind == ResponseKind::Deflection) return read_place(reader, table, response);
   if (response.kind == ResponseKind::Buckling) response.factor = number(table, "factor");
@@ -252,20 +277,7 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
                           "a beam whose sections have a shape");
     return !full;
   }
-  if (response.kind != ResponseKind::SectionForce) return true;
-  const auto names = words("N Vy Vz Mx My Mz");
-  response.component = static_cast<int>(
-      std::find(names.begin(), names.end(), text(table, "component")) - names.begin());
-  response.element = integer(table, "element");
-  const std::string place = text(table, "at");
-  response.place = place == "start" ? ElementPlace::First
-                   : place == "mid" ? ElementPlace::Middle
-                                    : ElementPlace::Last;
-  if (response.element < n) return true;
-  reader.problems.add(*table.get("element"),
-                      fmt::format("there is no element {}", response.element),
-                      fmt::format("0 to {}", n - 1), "elements count from 0");
-  return false;
+  return response.kind != ResponseKind::SectionForce || read_section_force(reader, table, response);
 }
 
 /// In statics a state does not know the time of a force that is given over time.

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "apps/scene/numbering.hpp"
+
 namespace liesl {
 
 namespace {
@@ -131,8 +133,10 @@ std::optional<Port> Reader::port(const toml::node& node) {
   if (!known(node, "bodies", "body", name)) return {};
   const int index = scene.mechanism.body(name);
   if (index < 0) return {};
-  if (const auto found = scene.mechanism.port(given); found && dot != std::string::npos)
-    return found;
+  if (dot != std::string::npos)
+    if (const auto found =
+            scene.mechanism.port(name + "." + Numbering(root, name).port(given.substr(dot + 1))))
+      return found;
   const auto ports = scene.mechanism.port_names(index);
   std::vector<std::string> local;  // without the name of the body
   for (const std::string& port : ports)

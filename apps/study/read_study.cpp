@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "apps/scene/numbering.hpp"
 #include "apps/study/study_reader.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/system/plane.hpp"
@@ -108,7 +109,7 @@ int held(const std::string& text) {
 
 /// One support of a beam; returns the directions that it holds, 0 if it is wrong (and said).
 int read_support(StudyReader& reader, const std::string& body, const toml::node& node) {
-  const auto text = node.value_or(std::string());
+  const auto text = Numbering(reader.scene.root, body).support(node.value_or(std::string()));
   if (text == "inertia_relief") return 6;
   const std::string place = text.substr(0, text.find(':'));
   if (!reader.scene.scene.mechanism.port(body + "." + place)) {
@@ -508,7 +509,8 @@ void read_supports(StudyReader& reader) {
     if (body < 0) continue;
     if (std::holds_alternative<SolidSpec>(body_of(reader, body).kind)) {
       for (const toml::node* node : strings(*table, key.str()))
-        reader.spec.supports[body].push_back(node->value_or(std::string()));
+        reader.spec.supports[body].push_back(
+            Numbering(reader.scene.root, name).support(node->value_or(std::string())));
       continue;  // tried out by check_shapes
     }
     if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind)) {

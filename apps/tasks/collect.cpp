@@ -231,24 +231,17 @@ void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
   }
 }
 
-/// Of the parabola through three steps whose middle one is not below the others: its largest value.
-template <FrameGroup G>
-double StepRecorder<G>::vertex(const Sample& a, const Sample& b, const Sample& c) {
-  const double rise = (b.size - a.size) / (b.t - a.t), fall = (c.size - b.size) / (c.t - b.t);
-  const double bend = (fall - rise) / (c.t - a.t);
-  return bend < 0 ? b.size - std::pow(rise + bend * (b.t - a.t), 2) / (4 * bend) : b.size;
-}
-
 template <FrameGroup G>
 bool StepRecorder<G>::add_to_peak(output::ResponseResult& out, Peaks& peaks,
                                   const Sample& now) const {
   const bool over_two = dynamic_ && states_ > 1;
-  if (over_two && peaks.last.size >= peaks.before.size && peaks.last.size >= now.size)
-    peaks.vertex = std::max(peaks.vertex, vertex(peaks.before, peaks.last, now));
+  if (over_two && peaks.last.value >= peaks.before.value && peaks.last.value >= now.value)
+    peaks.vertex =
+        std::max(peaks.vertex, peaks.last.value + vertex_above(peaks.before, peaks.last, now));
   peaks.before = peaks.last;
   peaks.last = now;
-  const bool largest = !out.peak || now.size > out.peak->size;
-  if (largest) out.peak = output::Peak{now.size, now.t};
+  const bool largest = !out.peak || now.value > out.peak->size;
+  if (largest) out.peak = output::Peak{now.value, now.at};
   out.peak->missed = std::max(0.0, peaks.vertex - out.peak->size);
   return largest;
 }

@@ -7,6 +7,7 @@
 #include "mbs/solvers/simulation.hpp"
 #include "mbs/system/penalty.hpp"
 #include "mbs/system/response_value.hpp"
+#include "mbs/system/vertex.hpp"
 
 namespace liesl {
 
@@ -24,11 +25,7 @@ class StepRecorder {
   const output::Energies& energies() const { return energies_; }
 
  private:
-  /// Size of a response at a step.
-  struct Sample {
-    double t = 0, size = 0;
-  };
-  /// The last two steps, and the highest vertex of the peaks so far.
+  /// Sizes of a response at the last two steps, and the highest vertex of the peaks so far.
   struct Peaks {
     Sample before, last;
     double vertex = 0;
@@ -36,7 +33,6 @@ class StepRecorder {
   void add_responses(const State<G>& s, bool recorded);
   /// @returns whether it is the largest so far
   bool add_to_peak(output::ResponseResult& out, Peaks& peaks, const Sample& now) const;
-  static double vertex(const Sample& a, const Sample& b, const Sample& c);
   void add_work_of_gravity(const State<G>& s);
   void add_energies(const State<G>& s, bool recorded);
 

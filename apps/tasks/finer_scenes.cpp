@@ -41,10 +41,6 @@ ResponseSpec on_mesh(ResponseSpec r, const Mechanism& from, const Mechanism& to)
   return r;
 }
 
-std::string twice_the_elements(const BeamSetting& beam) {
-  return fmt::format("bodies.{}.beam.elements={}", beam.name, 2 * beam.elements);
-}
-
 }  // namespace
 
 FinerScenes::FinerScenes(const VerifiedScene& source, const Scene& scene, const std::string& space,
@@ -72,25 +68,36 @@ std::optional<Scene> FinerScenes::readable(const Changes& changes) const {
   }
 }
 
-/// A mesh that moves a place which the scene names by number is of another mechanism.
+bool FinerScenes::keeps_places(const Scene& scene, const BeamSetting& beam) const {
+  Setting finer = given_;
+  BeamSetting& refined = finer.beams[static_cast<std::size_t>(&beam - given_.beams.data())];
+  refined.elements *= 2;
+  const std::optional<Scene> twice = readable(changes(finer, given_));
+  const int body = scene.mechanism.body(beam.name);
+  return twice && places(scene, body) == places(*twice, body);
+}
+
+/// A mesh that moves a place of the scene is of another mechanism: places that it names by number
+/// stay those of its own mesh.
 void FinerScenes::keep_named_places(const Scene& scene) {
-  std::vector<std::string> all;
-  for (const auto& beam : given_.beams)
-    if (2 * beam.elements <= kMostElements) all.push_back(twice_the_elements(beam));
-  const std::optional<Scene> finer = readable(all);
+  Setting twice = given_;
+  for (auto& beam : twice.beams)
+    if (2 * beam.elements <= kMostElements) beam.elements *= 2;
+  const std::optional<Scene> finer = readable(changes(twice, given_));
   for (auto& beam : given_.beams) {
     const int body = scene.mechanism.body(beam.name);
-    bool moved = 2 * beam.elements > kMostElements;
-    if (!moved) {
-      const auto alone = finer ? std::nullopt : readable({twice_the_elements(beam)});
-      const Scene* with = finer ? &*finer : alone ? &*alone : nullptr;
-      moved = !with || places(scene, body) != places(*with, body);
+    if (2 * beam.elements > kMostElements) {
+      beam.multiple = 0;
+      leave_out("beam " + beam.name, "it has no room for twice its elements");
+      continue;
     }
-    if (!moved) continue;
-    beam.multiple = 0;
-    leave_out("beam " + beam.name, 2 * beam.elements > kMostElements
-                                       ? "it has no room for twice its elements"
-                                       : "the scene names nodes or elements by number");
+    if (finer && places(scene, body) == places(*finer, body)) continue;
+    if (!finer && keeps_places(scene, beam)) continue;
+    beam.numbering = beam.elements;
+    if (keeps_places(scene, beam)) continue;
+    beam.multiple = beam.numbering = 0;
+    leave_out("beam " + beam.name,
+              "the scene names the middle of an element, or its sections would change elsewhere");
   }
 }
 

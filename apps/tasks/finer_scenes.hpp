@@ -54,6 +54,8 @@ class FinerScenes {
 
  private:
   std::optional<Scene> readable(const Changes& changes) const;
+  /// Has it every place of the scene on twice its elements, too?
+  bool keeps_places(const Scene& scene, const BeamSetting& beam) const;
   void keep_named_places(const Scene& scene);
   void leave_out(const std::string& what, const std::string& why);
   void find_grids(const Scene& scene);

@@ -10,13 +10,15 @@
 
 #include "apps/input/problem.hpp"
 #include "apps/lean/setting.hpp"
+#include "apps/tasks/error_estimate.hpp"
 
 namespace liesl {
 namespace {
 
-constexpr double kShare = 0.25;  // of what is allowed, for each of mesh and step
-constexpr double kFalls = 0.7;   // an error that refinement leaves above this share stays
-constexpr int kMostAtOnce = 3;   // doublings
+constexpr double kShare = 0.25;     // of what is allowed, for each of mesh and step
+constexpr double kFalls = 0.7;      // an error that refinement leaves above this share stays
+constexpr int kMostAtOnce = 3;      // doublings
+constexpr double kMostSteps = 1e5;  // of a motion, which a study keeps whole for its gradients
 
 using Changes = std::vector<std::string>;
 
@@ -43,14 +45,33 @@ int refinement_factor(const LargestError& w, double allowed, double order) {
   return 1 << static_cast<int>(std::clamp(doublings, 1.0, double(kMostAtOnce)));
 }
 
+/// To one digit.
+double rounded_up(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)));
+  return std::ceil(value / digit * (1 - 1e-12)) * digit;
+}
+
+/// By which factor an error has to shrink, and the largest one of elements or steps that there is
+/// room for.
+struct Refinable {
+  double shrinks = 1, order = 4, room = 1;
+
+  /// Of elements or steps.
+  double factor() const { return std::pow(shrinks, 1 / order); }
+  /// How many times as large the error stays; at least 1.
+  double missing() const { return std::max(1.0, shrinks / std::pow(room, order)); }
+};
+
 /// One study, to be read with a finer model.
 class FinerStudy {
  public:
   FinerStudy(const Study& study, const Changes& before, const ReadStudy& read)
-      : study_(study), before_(before), read_(read), given_(setting(study)) {}
+      : study_(study), before_(before), read_(read), given_(setting_of(with_limits(study))) {}
 
   FinerModel model(const LargestError& mesh, const LargestError& step, double allowed) {
     FinerModel out;
+    out.exhausted = out_of_reach(mesh, step, allowed);
+    if (!out.exhausted.empty()) return out;
     if (mesh.error > allowed) refine_mesh(mesh, allowed, out);
     if (step.error > allowed) refine_step(step, allowed, out);
     return out;
@@ -58,21 +79,34 @@ class FinerStudy {
 
  private:
   /// With the places that limits name.
-  static Setting setting(const Study& study) {
+  static Scene with_limits(const Study& study) {
     Scene scene = study.scene;
     for (const ConstraintSpec& c : study.spec.constraints) scene.responses.push_back(c.response);
-    return setting_of(scene);
+    return scene;
   }
 
-  bool readable(const Changes& more) const {
+  std::optional<Study> readable(const Changes& more) const {
     Changes all = before_;
     all.insert(all.end(), more.begin(), more.end());
     try {
-      read_(all);
-      return true;
+      return read_(all);
     } catch (const InputError&) {
-      return false;
+      return {};
     }
+  }
+
+  /// A beam with other elements and the places that it has now; none: it cannot have them.
+  std::optional<BeamSetting> with_elements(std::size_t of, int elements) const {
+    Setting finer = given_;
+    BeamSetting& b = finer.beams[of];
+    const int body = study_.scene.mechanism.body(b.name);
+    for (const int numbering : {0, b.elements}) {
+      b.elements = elements;
+      b.numbering = numbering;
+      const auto read = readable(changes(finer, given_));
+      if (read && places(with_limits(*read), body) == places(with_limits(study_), body)) return b;
+    }
+    return {};
   }
 
   const BeamSpec& beam(const BeamSetting& of) const {
@@ -100,6 +134,35 @@ class FinerStudy {
     return names;
   }
 
+  int order_of_beams() const {
+    int order = 4;
+    for (const BeamSetting& b : given_.beams) order = std::min(order, beam(b).order);
+    return order;
+  }
+
+  /// By the orders that are expected: it takes no less. Empty: as far as they tell, both errors can
+  /// become small enough.
+  std::string out_of_reach(const LargestError& mesh, const LargestError& step,
+                           double allowed) const {
+    Refinable elements{mesh.error / allowed, double(order_4().empty() ? order_of_beams() : 4)},
+        steps{step.error / allowed, kStepOrder, kMostSteps / std::max(1.0, double(given_.steps))};
+    for (const BeamSetting& b : given_.beams)
+      if (b.multiple > 0)
+        elements.room = std::max(elements.room, double(kMostElements) / b.elements);
+    if (elements.room < 2 || !parts().empty()) elements.shrinks = 1;  // as `refine_mesh` says
+    const bool by_mesh = elements.missing() > steps.missing();
+    const double missing = std::max({kResolution / allowed, elements.missing(), steps.missing()});
+    if (missing <= 1) return "";
+    const std::string reach = fmt::format("cycle.feasibility = {:g} is within reach",
+                                          rounded_up(missing * allowed / kShare));
+    if (allowed < kResolution)
+      return fmt::format("errors below {:.0e} of a limit are rounding: {}", kResolution, reach);
+    return fmt::format(
+        "to become certain takes {:.2g} times as many {}, of which {} are the most: {}",
+        by_mesh ? elements.factor() : steps.factor(), by_mesh ? "elements" : "steps",
+        by_mesh ? kMostElements : static_cast<int>(kMostSteps), reach);
+  }
+
   void refine_mesh(const LargestError& error, double allowed, FinerModel& out) const {
     out.changes = order_4();
     if (!out.changes.empty()) return;
@@ -111,17 +174,16 @@ class FinerStudy {
           meshed.size() == 1 ? meshed.front() : "NAME");
       return;
     }
-    int order = 4;
-    for (const BeamSetting& b : given_.beams) order = std::min(order, beam(b).order);
+    const int order = order_of_beams();
     Setting finer = given_;
-    for (BeamSetting& b : finer.beams)
-      if (b.multiple > 0)
-        for (int f = refinement_factor(error, allowed, order); f > 1; f /= 2)
-          if (f * b.elements <= kMostElements &&
-              readable({fmt::format("bodies.{}.beam.elements={}", b.name, f * b.elements)})) {
-            b.elements *= f;
-            break;
-          }
+    for (std::size_t i = 0; i < finer.beams.size(); ++i) {
+      BeamSetting& b = finer.beams[i];
+      std::optional<BeamSetting> refined;
+      for (int f = refinement_factor(error, allowed, order); b.multiple > 0 && f > 1 && !refined;
+           f /= 2)
+        if (f * b.elements <= kMostElements) refined = with_elements(i, f * b.elements);
+      if (refined) b = *refined;
+    }
     out.changes = changes(finer, given_);
     out.mesh = !out.changes.empty();
     if (!out.mesh) out.exhausted = no_room();
@@ -197,9 +259,9 @@ std::string not_converging(const std::vector<VerifiedLimit>& before,
       const auto order = mesh ? limit.mesh_order : limit.step_order;
       return fmt::format(
           "limit {} does not converge: its error by the {} is {:.2g} %, was {:.2g} "
-          "% before it was refined{}",
+          "% before it was refined{}; cycle.feasibility = {:g} is within reach",
           limit.name, mesh ? "mesh" : "step", 100 * is, 100 * was,
-          order ? fmt::format(", order {:.2g} observed", *order) : "");
+          order ? fmt::format(", order {:.2g} observed", *order) : "", rounded_up(is / kShare));
     }
   }
   return "";

@@ -8,14 +8,15 @@
 namespace liesl {
 
 struct FinerModel {
-  std::vector<std::string> changes;  ///< empty: the model is fine enough, the design is not
-  bool mesh = false, step = false;   ///< what gets smaller (order 4 is neither)
-  std::string exhausted;             ///< why there is no finer model; else empty
+  std::vector<std::string> changes = {};  ///< empty: the model is fine enough, the design is not
+  bool mesh = false, step = false;        ///< what gets smaller (order 4 is neither)
+  std::string exhausted = {};             ///< why there is no finer model; else empty
 };
 
 /// Brings both errors of each limit that is not certain below a quarter of what the study allows:
 /// the other half is left to the design. Beams take order 4 first, where they can, then more
 /// elements: a factor of (error / allowed)^(1/p), p the order, as a power of two of at most 8.
+/// Where more elements or steps than there is room for would be needed even then, there is none.
 /// @param before changes that `study` has been read with
 FinerModel finer_model(const Study& study, const std::vector<VerifiedLimit>& limits,
                        double feasibility, const std::vector<std::string>& before,

@@ -6,6 +6,7 @@
 
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
+#include "mbs/system/vertex.hpp"
 
 namespace liesl {
 namespace {
@@ -174,8 +175,7 @@ double ResponseValues<G>::above_the_nodes(const ResponseSpec& r, const State<G>&
   const DeflectionAt largest = largest_deflection(r.body, now);
   if (largest.offset.isZero(0)) return 0;
   const auto [before, middle, after] = beside(r.body, now, largest.place);
-  const double bend = before - 2 * middle + after;
-  return bend < 0 ? -std::pow(after - before, 2) / (8 * bend) : 0;
+  return vertex_above({-1, before}, {0, middle}, {1, after});
 }
 
 template <FrameGroup G>

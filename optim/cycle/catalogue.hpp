@@ -63,7 +63,12 @@ class CatalogueRounds {
     if (over) return {};
     resume_.resize(std::min(resume_.size(), n + 1));  // what follows depends on how this one ends
     if (hooks_.on_box && !box.branch.empty()) hooks_.on_box(box.branch);
-    return again(n, box);
+    if (n == 0) return again(n, box);
+    try {
+      return again(n, box);
+    } catch (const NoSensitivities&) {
+      return {};  // of the first design of a later box, which stays undecided
+    }
   }
   /// Round n with its model and motion, from the cycles that there are.
   End again(std::size_t n, const DesignBox& box) {

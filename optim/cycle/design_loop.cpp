@@ -54,6 +54,14 @@ CycleEnd CycleRecord::stopped() const {
           fmt::format("stopped in cycle {}{} on request", history().back().number, hooks_.of)};
 }
 
+CycleEnd CycleRecord::lost(const NoSensitivities& why) {
+  result_.lost = why.what();
+  return {CycleStatus::SimulationFailed,
+          fmt::format("there are no sensitivities any more after cycle {}{}: {}; bounds that leave "
+                      "such designs out let the study go on",
+                      history().back().number, hooks_.of, why.what())};
+}
+
 void CycleRecord::restore(const std::vector<Cycle>& resume) {
   for (const auto& cycle : resume)
     if (static_cast<std::size_t>(cycle.x.size()) != model_.variables().size())
@@ -140,16 +148,29 @@ void CycleRecord::evaluate_certificate() {
       (agree ? "" : " (" + o.brief() + ")") + "; cycle.method = \"esl1\" does");
 }
 
+namespace {
+
+/// Where an interrupted run goes on.
+Step resumed(CycleRecord& record, StepRule& rule, const std::vector<Cycle>& cycles) {
+  record.restore(cycles);
+  Step step;
+  try {
+    step = rule.resume(record);
+  } catch (const NoSensitivities& why) {
+    step.end = record.lost(why);
+  }
+  record.go_on();
+  return step;
+}
+
+}  // namespace
+
 LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& options,
                     const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   using Clock = std::chrono::steady_clock;
   CycleRecord record(model, options, hooks);
   Step step{model.start(), {}};
-  if (!resume.empty()) {
-    record.restore(resume);
-    step = rule.resume(record);
-    record.go_on();
-  }
+  if (!resume.empty()) step = resumed(record, rule, resume);
   while (!step.end) {
     const auto start = Clock::now();
     Cycle* cycle = nullptr;
@@ -167,8 +188,11 @@ LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& opti
       step = rule.next(record, analysis, *cycle);
     } catch (const Stopped&) {
       step.end = record.stopped();
-      if (!cycle) break;
+    } catch (const NoSensitivities& why) {
+      if (record.history().size() <= (cycle ? 1 : 0)) throw;  // nobody was told of a cycle yet
+      step.end = record.lost(why);
     }
+    if (!cycle) break;
     cycle->seconds = std::chrono::duration<double>(Clock::now() - start).count();
     cycle->end.reset();
     if (step.end && step.end->status != CycleStatus::Interrupted) cycle->end = step.end->status;

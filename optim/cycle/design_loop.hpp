@@ -29,6 +29,8 @@ struct LoopResult {
   /// Of the final design; none if it was not asked for or there is no design to ask it of.
   std::optional<DynamicOptimality> optimality;
   std::vector<std::string> warnings;
+  /// Why a design after the first has no sensitivities, where the loop ended by that; else empty.
+  std::string lost = {};
 };
 
 /// What a loop has so far: its history, its best design, and why it ends.
@@ -47,6 +49,8 @@ class CycleRecord {
   bool asked_to_stop() const { return hooks_.keep_going && !hooks_.keep_going(); }
   /// What that ends in: the last cycle so far.
   CycleEnd stopped() const;
+  /// That sensitivities are lost ends in: SimulationFailed.
+  CycleEnd lost(const NoSensitivities& why);
 
   Analysis analyse(const Eigen::VectorXd& x) { return model_.analyse(x, hooks_.progress); }
   Cycle& add(const Analysis& analysis, const Eigen::VectorXd& x);
@@ -104,7 +108,9 @@ class StepRule {
   virtual Step resume(CycleRecord& record) = 0;
 };
 
+/// A later design without sensitivities ends it SimulationFailed, as `lost` says.
 /// @param resume the cycles of an interrupted run of the same study; empty: from the start
+/// @throws NoSensitivities of the first design
 LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& options,
                     const CycleHooks& hooks, const std::vector<Cycle>& resume);
 

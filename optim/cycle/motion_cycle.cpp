@@ -87,26 +87,34 @@ CycleResult<G> run_with(const std::vector<Scenario<G>>& scenarios, StudySpec stu
   return described(model, run_loop(model, *rule, study.cycle, hooks, resume));
 }
 
+/// Does the plain cycle have all that the study asks for?
+bool has_plain_cycle(const StudySpec& study) {
+  const bool mechanism =
+      std::any_of(study.constraints.begin(), study.constraints.end(),
+                  [](const ConstraintSpec& c) { return c.surrogate == SurrogateKind::Mechanism; });
+  return !without_statics(study) && study.motion_objective.only_mass() && !mechanism;
+}
+
 /// From the start of the study.
 template <FrameGroup G>
 CycleResult<G> run_once(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
                         const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   const CycleMethod method = study.cycle.method;
   if (method != CycleMethod::Auto) return run_with(scenarios, study, method, hooks, resume);
+  const bool plain = has_plain_cycle(study);
+  std::string why;
   try {
-    return run_with(scenarios, study, CycleMethod::Esl1, hooks, resume);
+    CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl1, hooks, resume);
+    if (result.lost.empty() || !plain) return result;
+    why = result.lost;
   } catch (const NoSensitivities& error) {
-    const bool mechanism = std::any_of(
-        study.constraints.begin(), study.constraints.end(),
-        [](const ConstraintSpec& c) { return c.surrogate == SurrogateKind::Mechanism; });
-    if (without_statics(study) || !study.motion_objective.only_mass() || mechanism)
-      throw;  // the plain cycle has none of these
-    CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
-    result.warnings.push_back(
-        "the plain ESL cycle ran, because this motion has no sensitivities: " +
-        std::string(error.what()));
-    return result;
+    if (!plain) throw;
+    why = error.what();
   }
+  CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
+  result.warnings.push_back("the plain ESL cycle ran, because this motion has no sensitivities: " +
+                            why);
+  return result;
 }
 
 }  // namespace

@@ -237,7 +237,7 @@ void MotionModel<G>::judge_parts(MotionAnalysis<G>& a, std::size_t s, const Vect
 template <FrameGroup G>
 double MotionModel<G>::extremes(const MotionAnalysis<G>& a) const {
   double sum = 0;
-  const StudySpec at = scaled(a);
+  const StudySpec at = with_sizes(a);
   for (const ConstraintSpec& c : at.constraints) sum += c.weight * c.limit;
   for (const FrequencyLimitSpec& f : at.frequencies) sum -= f.weight * f.least;
   return sum;
@@ -245,6 +245,19 @@ double MotionModel<G>::extremes(const MotionAnalysis<G>& a) const {
 
 template <FrameGroup G>
 StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
+  StudySpec study = with_sizes(a);
+  if (!study.motion_objective.extremes) return study;
+  for (const ConstraintSpec& term : study.constraints)
+    if (term.weight > 0 && !(term.limit > 0))
+      throw NoSensitivities("'" + term.response.name + "' of the objective is 0 all the time");
+  for (const FrequencyLimitSpec& term : study.frequencies)
+    if (term.weight > 0 && !(term.least > 0))
+      throw NoSensitivities("the lowest frequency of the objective is 0");
+  return study;
+}
+
+template <FrameGroup G>
+StudySpec MotionModel<G>::with_sizes(const MotionAnalysis<G>& a) const {
   StudySpec study = study_;
   if (!study.motion_objective.extremes) return study;
   for (std::size_t c = 0; c < study.constraints.size(); ++c) {
@@ -253,8 +266,6 @@ StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
     term.limit = 0;
     for (const MotionLimits& m : a.limits)
       if (c < m.limits.size()) term.limit = std::max(term.limit, m.limits[c].measure);
-    if (!(term.limit > 0))
-      throw NoSensitivities("'" + term.response.name + "' of the objective is 0 all the time");
   }
   for (std::size_t f = 0; f < study.frequencies.size(); ++f) {
     FrequencyLimitSpec& term = study.frequencies[f];
@@ -262,7 +273,6 @@ StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
     term.least = std::numeric_limits<double>::infinity();
     for (const MotionLimits& m : a.limits)
       if (f < m.frequencies.size()) term.least = std::min(term.least, m.frequencies[f].value);
-    if (!(term.least > 0)) throw NoSensitivities("the lowest frequency of the objective is 0");
   }
   return study;
 }

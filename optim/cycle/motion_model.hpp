@@ -77,7 +77,10 @@ class MotionModel final : public DesignModel {
   void judge_parts(MotionAnalysis<G>& analysis, std::size_t scenario,
                    const Eigen::VectorXd& x) const;
   /// The study with what terms of the objective are at a design as their limits.
+  /// @throws NoSensitivities of a term that is 0, which has no relative changes
   StudySpec scaled(const MotionAnalysis<G>& at) const;
+  /// The same, of any terms.
+  StudySpec with_sizes(const MotionAnalysis<G>& at) const;
   /// The objective that largest values and lowest frequencies are.
   double extremes(const MotionAnalysis<G>& at) const;
   /// Static problems of one scenario; the objective counts in the first.

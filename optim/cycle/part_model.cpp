@@ -39,7 +39,7 @@ SolidTask PartModel::scaled(const DesignAnalysis& at) const {
     if (!(term.weight > 0)) continue;
     term.limit = check.limits[i].value;
     if (!(term.limit > 0))
-      throw std::invalid_argument("'" + term.name + "' of the objective is 0 in all load cases");
+      throw NoSensitivities("'" + term.name + "' of the objective is 0 in all load cases");
   }
   return task;
 }

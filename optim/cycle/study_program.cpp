@@ -23,6 +23,7 @@ bool StudyProgram::begin(const VectorXd& start) {
     constraints_[i].id = i;
     constraints_[i].name = fmt::format("{}: {}", i, constraints_[i].name);
   }
+  begun_ = true;
   return true;
 }
 
@@ -45,7 +46,12 @@ bool StudyProgram::evaluate(const VectorXd& x) {
 }
 
 void StudyProgram::differentiate(const VectorXd& x) {
-  surrogate_ = model_.surrogate(*analysis_, x, move_, kNearLimit);
+  try {
+    surrogate_ = model_.surrogate(*analysis_, x, move_, kNearLimit);
+  } catch (const NoSensitivities& why) {
+    if (!begun_) throw;
+    surrogate_.optimality.reason = why.what();
+  }
   if (!surrogate_.problem) {
     failure_ = "there are no sensitivities: " + surrogate_.optimality.reason;
     return;

@@ -8,7 +8,8 @@ namespace liesl {
 
 /// Every point is an analysis, its gradients those of the study (DesignModel::surrogate at that
 /// point). Rows are numbered in the order of the surrogate's and are the same at every design; a
-/// design that cannot be analysed, or has other rows, has no value (NaN).
+/// design that cannot be analysed, has other rows or, after the first, no sensitivities, has no
+/// value (NaN).
 class StudyProgram : public Problem {
  public:
   /// @param move limits of the static problems that the gradients are asked of (cycle.move_limit)
@@ -48,7 +49,7 @@ class StudyProgram : public Problem {
   std::shared_ptr<DesignAnalysis> analysis_;
   Surrogate surrogate_;
   std::string failure_;
-  bool stopped_ = false;
+  bool begun_ = false, stopped_ = false;
 };
 
 }  // namespace liesl

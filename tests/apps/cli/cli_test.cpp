@@ -280,6 +280,60 @@ TEST_F(Cli, OptimizeSaysHowItEnded) {
   EXPECT_EQ(failed.out.find("nan"), std::string::npos) << failed.out;
 }
 
+const char* const kSwing = R"toml(
+[materials]
+steel = { E = 2.1e11, nu = 0.3, rho = 7800 }
+[sections]
+square = { type = "rectangle", width = 0.02, height = 0.02 }
+[bodies.arm]
+beam = { from = [0, 0, 0], to = [1, 0, 0], section = "square", material = "steel", elements = 4 }
+[joints.hinge]
+revolute = ["ground", "arm.start"]
+axis = [0, 0, 1]
+drive = { interpolation = "quintic", table = [[0, 0], [0.1, 0.1], [0.2, 0]] }
+[simulation]
+duration = 0.2
+step = 2e-3
+rho_inf = 0.8
+[responses]
+torque = { response = "drive_force", of = "hinge" }
+)toml";
+
+const char* const kSwingLess = R"toml(
+scene = "scene.toml"
+[design]
+way = { of = "hinge", property = "drive.table.1", bounds = [0, 0.3] }
+[objective]
+minimize = "weighted"
+of = "arm"
+weights = { largest = 1 }
+largest = "torque"
+[constraints]
+torque = { use = "torque", limit = 100 }
+)toml";
+
+/// A torque that is to be as small as possible is none in the end, and no cycle goes on from there.
+TEST_F(Cli, StudiesThatLoseTheirSensitivitiesSayHowTheyEnded) {
+  write("scene.toml", kSwing);
+  const auto optimize = [&](const char* start) {
+    return run({"optimize", write("study.toml", kSwingLess), "-o", results(), "--set",
+                std::string("design.way.start=") + start});
+  };
+  const Outcome none = optimize("0");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("cycle.method needs sensitivities"), std::string::npos) << none.err;
+  EXPECT_FALSE(fs::exists(results())) << "nothing ran";
+  const Outcome lost = optimize("0.1");
+  EXPECT_EQ(lost.code, 1) << lost.err;
+  EXPECT_EQ(summary()["status"], "simulation failed");
+  const std::string reason = summary()["reason"];
+  EXPECT_NE(reason.find("after cycle 2: 'torque' of the objective is 0 all the time; bounds"),
+            reason.npos)
+      << reason;
+  EXPECT_EQ(summary()["design"]["way"], 0);
+  EXPECT_TRUE(fs::exists(results() / "report.html"));
+}
+
 TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   const auto common = documented("### `run`\n").always;
   ASSERT_GE(common.size(), 17u);

@@ -241,7 +241,7 @@ TEST_F(VerifyCommand, PrintsWhyItRefines) {
 }
 
 /// The middle of an element is no place of another mesh.
-TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
+TEST_F(VerifyCommand, SaysThatTheMiddleOfAnElementKeepsItsMesh) {
   std::string text = text_of(scene("slider_crank"));
   const std::string table = "[responses]\n";
   text.insert(text.find(table) + table.size(),
@@ -249,10 +249,32 @@ TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
               "component = \"Mz\" }\n");
   const Outcome o = run({"run", write("scene.toml", text), "-o", results(), "--verify"});
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_NE(
-      (o.out + o.err).find("leaves out beam rod: the scene names nodes or elements by number"),
-      std::string::npos)
+  EXPECT_NE((o.out + o.err).find("leaves out beam rod: the scene names the middle of an element"),
+            std::string::npos)
       << o.out << o.err;
+}
+
+/// A load and responses at nodes and ends of elements by number have the errors that they have by
+/// name, without a word.
+TEST_F(VerifyCommand, KnowsNodesByTheirNumbers) {
+  const auto verified = [this](const std::string& middle, const std::string& end) {
+    std::string text = text_of(scene("pendulum"));
+    const std::string table = "[responses]\n";
+    text.insert(text.find(table),
+                "[loads]\npush = { at = \"beam." + end + "\", force = [0, 0.5, 0] }\n\n");
+    text.insert(text.find(table) + table.size(),
+                "middle = { response = \"position\", at = \"beam." + middle +
+                    "\" }\nbow = { response = \"deflection\", of = \"beam\", at = \"" + middle +
+                    "\" }\n");
+    const Outcome o = run({"run", write("scene.toml", text), "-o", results(), "--verify", "--force",
+                           "--no-report", "--set", "simulation.duration=0.2"});
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_EQ((o.out + o.err).find("leaves out"), std::string::npos) << o.out << o.err;
+    return summary()["responses"];
+  };
+  const Json by_name = verified("mid", "end"), by_number = verified("node8", "node16");
+  EXPECT_TRUE(by_name["middle"]["error"].contains("mesh"));
+  EXPECT_EQ(by_number, by_name);
 }
 
 /// A mesh that has no room for twice its elements, and one that just has: 10000 are the most.

@@ -103,8 +103,7 @@ std::map<std::string, Reference> converged_figures(const std::string& file, cons
   return found;
 }
 
-/// Shipped scenes without meshed parts. Of crane_boom the mesh has no estimate, since nodes are
-/// named by number; peaks of bend45 and roll_up are at the start.
+/// Shipped scenes without meshed parts; peaks of bend45 and roll_up are at the start.
 const char* const kScenes[] = {"bend45",
                                "engine_mount",
                                "flying_beam",
