@@ -5,6 +5,7 @@
 
 #include "optim/cycle/direct_optimum.hpp"
 #include "optim/cycle/trust_region_rule.hpp"
+#include "tests/optim/cycle/bare_model.hpp"
 
 namespace liesl::test::lost_sensitivities_test {
 namespace {
@@ -34,41 +35,15 @@ class Line final : public StaticProblem {
 };
 
 /// That study, with sensitivities where x > 0.5.
-class Losing final : public DesignModel {
+class Losing final : public BareModel {
  public:
-  explicit Losing(double start) : variables_{{"x", 0, 1, start}} {}
-  struct Known final : DesignAnalysis {
-    std::shared_ptr<DesignAnalysis> figures() const override {
-      return std::make_shared<Known>(*this);
-    }
-  };
-  const std::vector<NlpVariable>& variables() const override { return variables_; }
-  VectorXd unit(const VectorXd&) const override { return {}; }
-  std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x, const Progress&) override {
-    auto out = std::make_shared<Known>();
-    out->objective = x[0];
-    return out;
-  }
-  std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis&, const VectorXd&,
-                                                double) const override {
-    return {};
-  }
+  explicit Losing(double start) : BareModel(start) {}
   Surrogate surrogate(const DesignAnalysis&, const VectorXd& x, double, double) const override {
     if (x[0] <= 0.5) throw NoSensitivities("nothing moves");
     return {std::make_unique<CorrectedProblem>(std::make_unique<Line>(x[0]), MotionGradients(), x,
                                                x[0]),
             {}};
   }
-  DynamicOptimality optimality(const DesignAnalysis&, const VectorXd&,
-                               const Progress&) const override {
-    return {};
-  }
-  std::optional<double> load_change(const DesignAnalysis&, const DesignAnalysis&) const override {
-    return {};
-  }
-
- private:
-  std::vector<NlpVariable> variables_;
 };
 
 LoopResult by_trust_region(double start, const std::vector<Cycle>& resume = {}) {

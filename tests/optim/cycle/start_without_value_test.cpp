@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "optim/cycle/trust_region_rule.hpp"
+#include "tests/optim/cycle/bare_model.hpp"
 
 namespace liesl::test::start_without_value_test {
 namespace {
@@ -64,39 +65,14 @@ TEST(StartWithoutValue, IsNamed) {
 }
 
 /// A study whose surrogates have no value.
-class Valueless final : public DesignModel {
+class Valueless final : public BareModel {
  public:
-  struct Known final : DesignAnalysis {
-    std::shared_ptr<DesignAnalysis> figures() const override {
-      return std::make_shared<Known>(*this);
-    }
-  };
-  const std::vector<NlpVariable>& variables() const override { return variables_; }
-  VectorXd unit(const VectorXd&) const override { return {}; }
-  std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x, const Progress&) override {
-    auto out = std::make_shared<Known>();
-    out->objective = x[0];
-    return out;
-  }
-  std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis&, const VectorXd&,
-                                                double) const override {
-    return {};
-  }
+  Valueless() : BareModel(0.4) {}
   Surrogate surrogate(const DesignAnalysis&, const VectorXd& x, double, double) const override {
     auto inner = std::make_unique<Holed>(x[0]);
     inner->add_violated(x, 0);
     return {std::make_unique<CorrectedProblem>(std::move(inner), MotionGradients(), x, x[0]), {}};
   }
-  DynamicOptimality optimality(const DesignAnalysis&, const VectorXd&,
-                               const Progress&) const override {
-    return {};
-  }
-  std::optional<double> load_change(const DesignAnalysis&, const DesignAnalysis&) const override {
-    return {};
-  }
-
- private:
-  std::vector<NlpVariable> variables_{{"x", 0, 1, 0.4}};
 };
 
 TEST(StartWithoutValue, EndsTheCycleWithAReason) {
