@@ -46,9 +46,11 @@ class Mesher {
  private:
   static int node_number(std::size_t k) { return static_cast<int>(2 * k + 1); }
   bool bar(std::size_t e) const { return is_bar(deck_.sections[e].shape); }
-  /// Between elements e - 1 and e.
+  /// Between elements e - 1 and e: another outline, or another kind of section.
   bool jumps_at(std::size_t e) const {
-    return e > 0 && e < outlines_.size() && outlines_[e - 1] != outlines_[e];
+    const auto kind = [&](std::size_t of) { return deck_.sections[of].shape.index(); };
+    return e > 0 && e < outlines_.size() &&
+           (outlines_[e - 1] != outlines_[e] || kind(e - 1) != kind(e));
   }
 
   Outline outline_at(std::size_t k) const {

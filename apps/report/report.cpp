@@ -25,6 +25,12 @@ Json reported_cases(const fs::path& folder) {
   return names;
 }
 
+/// The page of a batch whose case a folder is.
+fs::path page_of_batch(const fs::path& folder) {
+  std::error_code none;
+  return fs::weakly_canonical(folder, none).parent_path().parent_path() / kReport;
+}
+
 /// Name of the batch that a folder is a case of, or null.
 Json batch_of(const fs::path& folder) {
   std::error_code none;
@@ -42,12 +48,11 @@ double room(const Json& data, const Blob& blob) {
   return 0.75 * (kTexts - static_cast<double>(json)) - static_cast<double>(blob.bytes());
 }
 
-}  // namespace
-
-std::string page_of(const fs::path& folder, const std::string& name) {
+/// @param batch that the page leads back to, or null
+std::string page_in(const fs::path& folder, const std::string& name, const Json& batch) {
   Blob blob;
   const Json summary = output::read_summary(folder, "report");
-  Json data = {{"folder", name}, {"summary", summary}, {"batch", batch_of(folder)}};
+  Json data = {{"folder", name}, {"summary", summary}, {"batch", batch}};
   try {
     data["charts"] = charts(folder, summary, blob);
     data["sized"] = sized_elements(folder);
@@ -70,9 +75,15 @@ std::string page_of(const fs::path& folder, const std::string& name) {
   return page(data, blob.base64());
 }
 
+}  // namespace
+
+std::string page_of(const fs::path& folder, const std::string& name) {
+  return page_in(folder, name, batch_of(folder));
+}
+
 std::string page_of_whole(const fs::path& folder, const std::string& name) {
   output::read_whole_summary(folder, "report");
-  return page_of(folder, name);
+  return page_in(folder, name, nullptr);
 }
 
 fs::path write_report(const fs::path& folder) {
@@ -84,7 +95,9 @@ fs::path write_report(const fs::path& folder) {
   }
   std::error_code none;
   const fs::path named = fs::weakly_canonical(folder, none);
-  const std::string text = page_of_whole(folder, named.filename().string());
+  output::read_whole_summary(folder, "report");
+  const Json batch = fs::exists(page_of_batch(folder)) ? batch_of(folder) : Json();
+  const std::string text = page_in(folder, named.filename().string(), batch);
   output::replace_file(folder / kReport, text);
   output::mark_files(folder, {kReport});
   return folder / kReport;

@@ -21,6 +21,8 @@ class Numbering {
   std::string port(const std::string& name) const;
   /// The same of what a support begins with, "node3:xyz".
   std::string support(const std::string& text) const;
+  /// Elements that names count, where the beam has n.
+  int elements(int n) const { return elements_ == counted_ ? n : counted_; }
   /// The element with the same end, or the same middle; none: this mesh has none.
   std::optional<int> element(int number, ElementPlace place) const;
 

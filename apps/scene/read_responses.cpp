@@ -236,7 +236,8 @@ bool read_section_force(Reader& reader, const toml::table& table, ResponseSpec& 
                               : fmt::format("element {} of the numbering of '{}' ends, or has its "
                                             "middle, where no element of the beam does",
                                             named, body.name),
-                      fmt::format("0 to {}", n - 1), "elements count from 0");
+                      fmt::format("0 to {}", Numbering(reader.root, body.name).elements(n) - 1),
+                      "elements count from 0");
   return false;
 }
 

@@ -110,7 +110,7 @@ void read_fixed_load(StudyReader& reader, const Entry& entry) {
   std::vector<std::string> known;
   if (on) {
     for (const auto& [name, nodes] : solid.mesh().sets) {
-      known.push_back(name);
+      if (!nodes.empty()) known.push_back(name);
       if (name == at->second) load.nodes = nodes;
     }
   } else {

@@ -109,18 +109,20 @@ int held(const std::string& text) {
 
 /// One support of a beam; returns the directions that it holds, 0 if it is wrong (and said).
 int read_support(StudyReader& reader, const std::string& body, const toml::node& node) {
-  const auto text = Numbering(reader.scene.root, body).support(node.value_or(std::string()));
+  const auto given = node.value_or(std::string());
+  const auto text = Numbering(reader.scene.root, body).support(given);
   if (text == "inertia_relief") return 6;
   const std::string place = text.substr(0, text.find(':'));
   if (!reader.scene.scene.mechanism.port(body + "." + place)) {
-    reader.scene.problems.add(node, fmt::format("beam '{}' has no node '{}'", body, place),
+    const std::string named = given.substr(0, given.find(':'));
+    reader.scene.problems.add(node, fmt::format("beam '{}' has no node '{}'", body, named),
                               "start, mid, nodeK, end, or \"inertia_relief\"",
-                              suggestion(place, {"start", "mid", "end", "inertia_relief"}));
+                              suggestion(named, {"start", "mid", "end", "inertia_relief"}));
     return 0;
   }
   const int count = held(text);
   if (count > 0) return count;
-  reader.scene.problems.add(node, fmt::format("'{}' is no support", text),
+  reader.scene.problems.add(node, fmt::format("'{}' is no support", given),
                             "a node and directions, as in \"start:xyz,rx\"");
   return 0;
 }
@@ -509,8 +511,7 @@ void read_supports(StudyReader& reader) {
     if (body < 0) continue;
     if (std::holds_alternative<SolidSpec>(body_of(reader, body).kind)) {
       for (const toml::node* node : strings(*table, key.str()))
-        reader.spec.supports[body].push_back(
-            Numbering(reader.scene.root, name).support(node->value_or(std::string())));
+        reader.spec.supports[body].push_back(node->value_or(std::string()));
       continue;  // tried out by check_shapes
     }
     if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind)) {
@@ -524,7 +525,8 @@ void read_supports(StudyReader& reader) {
       const int directions = read_support(reader, name, *node);
       ok = ok && directions > 0;
       count += directions;
-      reader.spec.supports[body].push_back(node->value_or(std::string()));
+      reader.spec.supports[body].push_back(
+          Numbering(reader.scene.root, name).support(node->value_or(std::string())));
     }
     if (ok && count != 6 && count != 3)
       reader.scene.problems.add(value,

@@ -51,6 +51,14 @@ double rounded_up(double value) {
   return std::ceil(value / digit * (1 - 1e-12)) * digit;
 }
 
+/// What errors by mesh and step that do not fall below one are good for; of a limit's size:
+/// nothing.
+std::string within_reach(double error) {
+  const double feasibility = rounded_up(error / kShare);
+  return feasibility < 1 ? fmt::format("; cycle.feasibility = {:g} is within reach", feasibility)
+                         : "";
+}
+
 /// By which factor an error has to shrink, and the largest one of elements or steps that there is
 /// room for.
 struct Refinable {
@@ -59,7 +67,9 @@ struct Refinable {
   /// Of elements or steps.
   double factor() const { return std::pow(shrinks, 1 / order); }
   /// How many times as large the error stays; at least 1.
-  double missing() const { return std::max(1.0, shrinks / std::pow(room, order)); }
+  double missing() const {
+    return shrinks > 1 ? std::max(1.0, shrinks / std::pow(room, order)) : 1.0;
+  }
 };
 
 /// One study, to be read with a finer model.
@@ -85,6 +95,20 @@ class FinerStudy {
     return scene;
   }
 
+  /// Where the supports of a beam are, as shares of its length.
+  static std::vector<double> held_places(const Study& study, int body) {
+    std::vector<double> list;
+    const auto held = study.spec.supports.find(body);
+    if (held == study.spec.supports.end()) return list;
+    const Mechanism& m = study.scene.mechanism;
+    const BodySpec& of = m.bodies[static_cast<std::size_t>(body)];
+    for (const std::string& text : held->second)
+      if (const auto port = m.port(of.name + "." + text.substr(0, text.find(':'))))
+        list.push_back(static_cast<double>(port->node) /
+                       static_cast<double>(std::get<BeamSpec>(of.kind).sections.size()));
+    return list;
+  }
+
   std::optional<Study> readable(const Changes& more) const {
     Changes all = before_;
     all.insert(all.end(), more.begin(), more.end());
@@ -104,7 +128,9 @@ class FinerStudy {
       b.elements = elements;
       b.numbering = numbering;
       const auto read = readable(changes(finer, given_));
-      if (read && places(with_limits(*read), body) == places(with_limits(study_), body)) return b;
+      if (read && places(with_limits(*read), body) == places(with_limits(study_), body) &&
+          held_places(*read, body) == held_places(study_, body))
+        return b;
     }
     return {};
   }
@@ -144,21 +170,22 @@ class FinerStudy {
   /// become small enough.
   std::string out_of_reach(const LargestError& mesh, const LargestError& step,
                            double allowed) const {
-    Refinable elements{mesh.error / allowed, double(order_4().empty() ? order_of_beams() : 4)},
-        steps{step.error / allowed, kStepOrder, kMostSteps / std::max(1.0, double(given_.steps))};
+    Refinable elements{mesh.error / allowed, double(order_of_beams())},
+        steps{step.error / allowed, kStepOrder,
+              std::max(1.0, kMostSteps / std::max(1.0, double(given_.steps)))};
     for (const BeamSetting& b : given_.beams)
       if (b.multiple > 0)
         elements.room = std::max(elements.room, double(kMostElements) / b.elements);
-    if (elements.room < 2 || !parts().empty()) elements.shrinks = 1;  // as `refine_mesh` says
+    // As `refine_mesh` says; what order 4 gains is to be seen.
+    if (elements.room < 2 || !parts().empty() || !order_4().empty()) elements.shrinks = 1;
     const bool by_mesh = elements.missing() > steps.missing();
     const double missing = std::max({kResolution / allowed, elements.missing(), steps.missing()});
     if (missing <= 1) return "";
-    const std::string reach = fmt::format("cycle.feasibility = {:g} is within reach",
-                                          rounded_up(missing * allowed / kShare));
+    const std::string reach = within_reach(missing * allowed);
     if (allowed < kResolution)
-      return fmt::format("errors below {:.0e} of a limit are rounding: {}", kResolution, reach);
+      return fmt::format("errors below {:.0e} of a limit are rounding{}", kResolution, reach);
     return fmt::format(
-        "to become certain takes {:.2g} times as many {}, of which {} are the most: {}",
+        "to become certain takes {:.2g} times as many {}, of which {} are the most{}",
         by_mesh ? elements.factor() : steps.factor(), by_mesh ? "elements" : "steps",
         by_mesh ? kMostElements : static_cast<int>(kMostSteps), reach);
   }
@@ -259,9 +286,9 @@ std::string not_converging(const std::vector<VerifiedLimit>& before,
       const auto order = mesh ? limit.mesh_order : limit.step_order;
       return fmt::format(
           "limit {} does not converge: its error by the {} is {:.2g} %, was {:.2g} "
-          "% before it was refined{}; cycle.feasibility = {:g} is within reach",
+          "% before it was refined{}{}",
           limit.name, mesh ? "mesh" : "step", 100 * is, 100 * was,
-          order ? fmt::format(", order {:.2g} observed", *order) : "", rounded_up(is / kShare));
+          order ? fmt::format(", order {:.2g} observed", *order) : "", within_reach(is));
     }
   }
   return "";

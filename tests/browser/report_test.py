@@ -8,6 +8,7 @@ With LIESL_PICTURES=DIR a screenshot of every page goes there.
 """
 
 import base64
+import csv
 import json
 import os
 import re
@@ -22,6 +23,8 @@ sys.dont_write_bytecode = True
 from driver import programs  # noqa: E402
 from inputs import BATCH, BRANCHES, COMPARE  # noqa: E402
 from pages import DATA, FOLDER, HASH, MARGIN, PROGRAM, PageTest, folder_of, liesl, rod  # noqa: E402
+
+SUPERSCRIPTS = str.maketrans("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b", "0123456789-")
 
 METHODS = ["--set", 'grid.method=["esl","esl1"]', "--set", 'grid.optimizer=["ipopt"]', "--set", 'grid.treatment=["auto"]']
 
@@ -530,6 +533,12 @@ class Pages(PageTest):
         self.assertEqual(self.browser.run(rows), 2)
         heads = self.browser.run("return [...document.querySelectorAll('#cases th')].map((h) => h.textContent)")
         self.assertTrue({"mass before [g]", "mass after [g]", "bending, above its limit [%]", "KKT residual"} <= set(heads), heads)
+        over = heads.index("worst limit, above it [%]")
+        case, cell = (self.browser.run(f"return document.querySelector('#cases tbody tr').children[{i}].textContent") for i in (0, over))
+        shown = float(cell.replace("\u2212", "-").replace("\u00d710", "e").translate(SUPERSCRIPTS))
+        with (FOLDER / "batch/results.csv").open(encoding="utf-8") as table:
+            share = next(float(row["worst_constraint [-]"]) for row in csv.DictReader(table) if row["case"] == case)
+        self.assertAlmostEqual(shown / (100 * share), 1, delta=1e-3)
         self.slide("filter", "mass after > 10")  # in the unit of the heading: g, not kg
         self.assertEqual(self.browser.run(rows), 4)
         self.slide("filter", "mass_final > 10")

@@ -103,6 +103,18 @@ TEST(BeamMesh, TubesKeepTheirKnotsBetweenPiecesThatGrow) {
   EXPECT_EQ(mesh.pieces[2].size(), 1u);
 }
 
+/// CalculiX joins unlike kinds by its knot, whatever their outline.
+TEST(BeamMesh, OtherKindsOfOneOutlineJump) {
+  const BeamMesh bars = beam_mesh(beam({Circle{0.01}, Rectangle{0.01, 0.01}, Circle{0.01}})),
+                 tubes = beam_mesh(beam({Circle{0.01}, Tube{0.01, 0.001}, Circle{0.01}})),
+                 walls = beam_mesh(beam({Tube{0.01, 0.002}, Tube{0.01, 0.001}}));
+  EXPECT_TRUE(bars.by_node);
+  EXPECT_EQ(bars.pieces[1].size(), 3u);
+  EXPECT_TRUE(tubes.knots);
+  EXPECT_GT(tubes.pieces[1].size(), 3u);
+  EXPECT_FALSE(walls.knots || walls.by_node);
+}
+
 TEST(BeamMesh, OfADeckTheTextHasOutlinesOfBarsAtTheirNodes) {
   const std::string one = calculix_text(beam({Circle{0.01}, Circle{0.01}})),
                     bars = calculix_text(beam({Circle{0.01}, Circle{0.02}, Tube{0.02, 0.001}}));

@@ -96,9 +96,9 @@ TEST(FinerModel, WhatNoRefinementReachesIsSaid) {
   const VerifiedLimit coarse = {"bending", 0, 1e-5, 7.4e-4};
   const std::string rounding = exhausted(coarse, 1e-9), steps = exhausted(coarse, 1e-8),
                     elements = exhausted({"bending", 0, 1e9, 0}, 1e-3);
-  EXPECT_NE(rounding.find("are rounding: cycle.feasibility = 5e-07 is within reach"), rounding.npos)
+  EXPECT_NE(rounding.find("are rounding; cycle.feasibility = 5e-07 is within reach"), rounding.npos)
       << rounding;
-  EXPECT_NE(steps.find("5.4e+02 times as many steps, of which 100000 are the most: "
+  EXPECT_NE(steps.find("5.4e+02 times as many steps, of which 100000 are the most; "
                        "cycle.feasibility = 5e-07 is within reach"),
             steps.npos)
       << steps;
@@ -121,6 +121,33 @@ TEST(FinerModel, NodesNamedByNumberStay) {
   const FinerModel next = finer_model(read(m.changes), {limit}, 1e-3, m.changes, read);
   EXPECT_EQ(next.changes,
             (Changes{"bodies.crank.beam.elements=32", "bodies.rod.beam.elements=32"}));
+}
+
+/// A support, too.
+TEST(FinerModel, SupportsNamedByNumberStay) {
+  Changes given = kOrder4;
+  given.push_back("supports.rod=[\"node1:xyz,rx\",\"end:yz\"]");
+  const VerifiedLimit limit = {"bending", 0, 15.9 * 2.5e-4, 0, 4};
+  const FinerModel m = finer(given, limit);
+  const ReadStudy read = reader("slider_crank_rod", given);
+  const Study finer_study = read(m.changes);
+  const auto& held = finer_study.spec.supports.at(finer_study.scene.mechanism.body("rod"));
+  EXPECT_EQ(held, (std::vector<std::string>{"node2:xyz,rx", "end:yz"}));
+}
+
+/// What is certain already asks for no room; and order 4 is tried before elements are counted.
+TEST(FinerModel, WithMoreStepsThanThereIsRoomForTheMeshIsRefined) {
+  Changes given = kOrder4;
+  given.push_back("simulation.step=1e-6");
+  const VerifiedLimit limit = {"bending", 0, 8.7e-5, 1.3e-8, 4};
+  EXPECT_EQ(finer_model(reader("slider_crank_rod", given)({}), {limit}, 6.4e-8, given,
+                        reader("slider_crank_rod", given))
+                .exhausted,
+            "");
+  const FinerModel by_order =
+      finer_model(reader("slider_crank_rod", kOrder2)({}), {{"bending", 0, 1e9, 0}}, 1e-3, kOrder2,
+                  reader("slider_crank_rod", kOrder2));
+  EXPECT_EQ(by_order.exhausted, "");
 }
 
 TEST(FinerModel, AScenarioWithAStepOfItsOwnIsNamed) {

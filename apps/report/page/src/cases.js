@@ -34,7 +34,7 @@ class CaseTable {
   value(c, row) { return (c.cells[row] ?? NaN) / c.factor; }
   cell(c, row) {
     const x = c.cells[row];
-    return x === null || x === '' ? '\u2013' : c.number ? (c.unit ? number(x / c.factor, 4) : tick(x, 4)) : x;
+    return x === null || x === '' ? '\u2013' : c.number ? (c.unit ? number(x / c.factor, 4) : tick(x / c.factor, 4)) : x;
   }
 
   card() {
