@@ -5,57 +5,78 @@ find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 
+# Half of the start of `liesl` was spent on 36 shared libraries and 14,000 symbols of OpenBLAS. Not shared
+# modules, as code of archives is tied to its place, nor tests: it takes time to link each of them so.
+define_property(TARGET PROPERTY LIESL_ARCHIVES BRIEF_DOCS "Linked with archives of packages")
+include(CheckCXXSourceCompiles)
+
+# liesl_package(<name> <symbol> SHARED <libraries...> ARCHIVES <files...> [PATHS <folders...>]): liesl_<name> is
+# the archives, with the shared libraries that they need, in programs with the property LIESL_ARCHIVES, if all
+# are there and a program with the symbol links; elsewhere the shared libraries.
+function(liesl_package name symbol)
+  cmake_parse_arguments(PARSE_ARGV 2 of "" "" "SHARED;ARCHIVES;PATHS")
+  set(files "")
+  foreach(file IN LISTS of_ARCHIVES)
+    find_library(LIESL_FILE_${file} ${file} PATHS ${of_PATHS})
+    mark_as_advanced(LIESL_FILE_${file})
+    list(APPEND files ${LIESL_FILE_${file}})
+  endforeach()
+  if(LIESL_ARCHIVES AND NOT files MATCHES "NOTFOUND")
+    set(CMAKE_REQUIRED_LIBRARIES ${files})
+    check_cxx_source_compiles("extern \"C\" int ${symbol}(); int main() { return ${symbol}(); }"
+                              LIESL_ARCHIVE_${name}_LINKS)
+  endif()
+  add_library(liesl_${name} INTERFACE)
+  if(LIESL_ARCHIVES AND LIESL_ARCHIVE_${name}_LINKS)
+    add_library(liesl_${name}_archives INTERFACE)
+    target_link_libraries(liesl_${name}_archives INTERFACE ${files})
+    add_library(liesl_${name}_shared INTERFACE)
+    target_link_libraries(liesl_${name}_shared INTERFACE ${of_SHARED})
+    set(chosen $<BOOL:$<TARGET_PROPERTY:LIESL_ARCHIVES>>)
+    target_link_libraries(liesl_${name} INTERFACE
+      $<BUILD_INTERFACE:$<IF:${chosen},liesl_${name}_archives,liesl_${name}_shared>>
+      "$<INSTALL_INTERFACE:${of_SHARED}>")
+  else()
+    target_link_libraries(liesl_${name} INTERFACE ${of_SHARED})
+  endif()
+endfunction()
+
+# BLAS and LAPACK of archives, and the sequential MUMPS.
+find_library(LIESL_FILE_libopenblas.a libopenblas.a)
+if(LIESL_FILE_libopenblas.a)
+  set(BLAS_FILES libopenblas.a libgfortran.so.5)
+else()
+  set(BLAS_FILES liblapack.so.3 libblas.so.3 libgfortran.so.5)
+endif()
+set(MUMPS_FILES libdmumps_seq.a libmumps_common_seq.a libpord_seq.a libmpiseq_seq.a libesmumps-7.0.so
+                libscotch-7.0.so libscotcherr-7.0.so)
+
 find_path(SUITESPARSE_INCLUDE_DIR klu.h PATH_SUFFIXES suitesparse REQUIRED)
-add_library(liesl_suitesparse INTERFACE)
-target_include_directories(liesl_suitesparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE_DIR})
 # What factorises meshed parts: CHOLMOD, whose supernodal module is under the GPL, or the sequential MUMPS
 # that comes with Ipopt, slower (docs/licences.md).
 set(LIESL_FACTORISATION cholmod CACHE STRING "Factorisation of meshed parts: cholmod or mumps")
 set_property(CACHE LIESL_FACTORISATION PROPERTY STRINGS cholmod mumps)
 if(LIESL_FACTORISATION STREQUAL "mumps")
   find_path(MUMPS_INCLUDE_DIR dmumps_c.h REQUIRED)
-  target_include_directories(liesl_suitesparse SYSTEM INTERFACE ${MUMPS_INCLUDE_DIR})
   set(factorisation dmumps_seq)
+  set(FACTORISATION_FILES ${MUMPS_FILES})
 elseif(LIESL_FACTORISATION STREQUAL "cholmod")
   set(factorisation cholmod)
+  set(FACTORISATION_FILES libcholmod.a libccolamd.a libcamd.a libmetis.so.5 libgomp.so.1)
 else()
   message(FATAL_ERROR "LIESL_FACTORISATION is '${LIESL_FACTORISATION}'; expected cholmod or mumps")
 endif()
-target_link_libraries(liesl_suitesparse INTERFACE ${factorisation} klu amd colamd btf suitesparseconfig)
-
-# liesl_package(<name> <prefix of pkg_check_modules> <archive> <symbol> [what the archive needs...]):
-# liesl_<name> is the archive in programs with the property LIESL_ARCHIVES, if a program with a symbol of it
-# links, and the shared library elsewhere. Half of the start of `liesl` was spent on 31 shared libraries,
-# HDF5, libcrypto, Ipopt and what they bring; archives are not for shared modules, as their code is tied to
-# its place, and not worth the time to link each test with them.
-include(CheckCXXSourceCompiles)
-define_property(TARGET PROPERTY LIESL_ARCHIVES BRIEF_DOCS "Linked with archives of packages")
-function(liesl_package name prefix archive symbol)
-  add_library(liesl_${name} INTERFACE)
-  target_include_directories(liesl_${name} SYSTEM INTERFACE ${${prefix}_INCLUDE_DIRS})
-  find_library(LIESL_ARCHIVE_${name} ${archive} PATHS ${${prefix}_LIBRARY_DIRS} ${${prefix}_LIBDIR}
-               NO_DEFAULT_PATH)
-  mark_as_advanced(LIESL_ARCHIVE_${name})
-  if(LIESL_ARCHIVE_${name})
-    set(CMAKE_REQUIRED_LIBRARIES ${LIESL_ARCHIVE_${name}} ${ARGN})
-    check_cxx_source_compiles("extern \"C\" int ${symbol}(); int main() { return ${symbol}(); }"
-                              LIESL_ARCHIVE_${name}_LINKS)
-  endif()
-  if(LIESL_ARCHIVE_${name}_LINKS)
-    add_library(liesl_${name}_archive INTERFACE)
-    target_link_libraries(liesl_${name}_archive INTERFACE ${LIESL_ARCHIVE_${name}} ${ARGN})
-    target_link_libraries(liesl_${name} INTERFACE
-      $<IF:$<BOOL:$<TARGET_PROPERTY:LIESL_ARCHIVES>>,liesl_${name}_archive,PkgConfig::${prefix}>)
-  else()
-    target_link_libraries(liesl_${name} INTERFACE PkgConfig::${prefix})
-  endif()
-endfunction()
+liesl_package(suitesparse klu_defaults
+  SHARED ${factorisation} klu amd colamd btf suitesparseconfig
+  ARCHIVES ${FACTORISATION_FILES} libklu.a libamd.a libcolamd.a libbtf.a libsuitesparseconfig.a ${BLAS_FILES})
+target_include_directories(liesl_suitesparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE_DIR}
+                           $<$<BOOL:${MUMPS_INCLUDE_DIR}>:${MUMPS_INCLUDE_DIR}>)
 
 if(LIESL_OPTIM)
   pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
-  set(IPOPT_NEEDS ${IPOPT_LINK_LIBRARIES})
-  list(FILTER IPOPT_NEEDS EXCLUDE REGEX "/libipopt[^/]*$")
-  liesl_package(ipopt IPOPT libipopt.a CreateIpoptProblem ${IPOPT_NEEDS})
+  liesl_package(ipopt CreateIpoptProblem SHARED PkgConfig::IPOPT
+                ARCHIVES libipopt.a ${MUMPS_FILES} ${BLAS_FILES} PATHS ${IPOPT_LIBRARY_DIRS} ${IPOPT_LIBDIR})
+  target_include_directories(liesl_ipopt SYSTEM INTERFACE ${IPOPT_INCLUDE_DIRS})
   pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 endif()
 if(LIESL_APPS)
@@ -63,9 +84,13 @@ if(LIESL_APPS)
   find_package(nlohmann_json REQUIRED)
   find_package(CLI11 REQUIRED)
   pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
-  liesl_package(hdf5 HDF5 libhdf5.a H5Fopen sz z)
+  liesl_package(hdf5 H5Fopen SHARED PkgConfig::HDF5 ARCHIVES libhdf5.a libsz.a libaec.a libz.a
+                PATHS ${HDF5_LIBRARY_DIRS} ${HDF5_LIBDIR})
+  target_include_directories(liesl_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
   pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
-  liesl_package(crypto CRYPTO libcrypto.a EVP_Digest)
+  liesl_package(crypto EVP_Digest SHARED PkgConfig::CRYPTO ARCHIVES libcrypto.a
+                PATHS ${CRYPTO_LIBRARY_DIRS} ${CRYPTO_LIBDIR})
+  target_include_directories(liesl_crypto SYSTEM INTERFACE ${CRYPTO_INCLUDE_DIRS})
 endif()
 
 # A Python with matplotlib, for pictures and checks; the system's one before others in PATH, which

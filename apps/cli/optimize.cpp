@@ -136,7 +136,19 @@ bool check_all_derivatives(const Study& study, const ChosenSpace& space) {
   return report.right && right;
 }
 
-/// Runs it; what stands between a study and its method is said at the study.
+/// What stands between a study and its method, said at the study.
+InputError no_method(const Study& study, const NoSensitivities& error) {
+  if (!study.spec.loads.empty())
+    return InputError(
+        {{study.file, 0, 0, error.what(), "an objective that some of the loads make greater than 0",
+          "other loads, or another objective"}});
+  return InputError(
+      {{study.file, 0, 0,
+        "cycle.method needs sensitivities, which this motion has not: " + std::string(error.what()),
+        "a motion with sensitivities, or \"esl\"", "leave cycle.method out"}});
+}
+
+/// Runs it. @throws InputError: there is no method for the study
 VerifiedOptimum optimum_of(const Study& study, const CommandOptions& options,
                            const ChosenSpace& space, const output::OptimizeSummary& summary,
                            const OptimizeHooks& hooks, CyclesOfModels& models) {
@@ -158,10 +170,7 @@ VerifiedOptimum optimum_of(const Study& study, const CommandOptions& options,
   } catch (const NoStaticsOfMechanism& error) {
     throw InputError({{study.file, 0, 0, error.what(), "", ""}});
   } catch (const NoSensitivities& error) {
-    throw InputError({{study.file, 0, 0,
-                       "cycle.method needs sensitivities, which this motion has not: " +
-                           std::string(error.what()),
-                       "a motion with sensitivities, or \"esl\"", "leave cycle.method out"}});
+    throw no_method(study, error);
   }
 }
 

@@ -15,7 +15,10 @@ namespace liesl {
 
 void write_run(const std::filesystem::path& folder, const RunOutcome& out,
                output::Hdf5Writer* begun) {
-  if (!out.results.times.empty()) output::write_results(folder, out.results, begun);
+  if (!out.results.times.empty())
+    output::write_results(folder, out.results, begun);
+  else if (begun)
+    begun->discard();
   output::write_summary(folder / "summary.json", output::to_json(out.summary));
 }
 

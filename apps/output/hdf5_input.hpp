@@ -27,6 +27,7 @@ class Hdf5Input {
  public:
   explicit Hdf5Input(const std::filesystem::path& path);
 
+  const std::filesystem::path& path() const { return path_; }
   bool has(const std::string& name) const;
   Hdf5Kind kind(const std::string& name) const;
   /// Names in a group, in the order of the alphabet; none if there is no such group.

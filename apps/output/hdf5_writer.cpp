@@ -22,28 +22,47 @@ void write_unit(const Hdf5File& file, const DataSet& set) {
 
 }  // namespace
 
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& path)
+    : path_(path), made_(std::async(std::launch::async, [path] { return Hdf5File(path); })) {}
+
+void Hdf5Writer::discard() {
+  if (finished_) return;
+  if (made_.valid()) made_.wait();
+  made_ = {};
+  series_.clear();
+  file_.reset();
+  std::error_code none;
+  std::filesystem::remove(path_, none);
+}
+
+Hdf5File& Hdf5Writer::file() {
+  prepare_hdf5();
+  if (!file_) file_.emplace(made_.get());
+  return *file_;
+}
+
 void Hdf5Writer::put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
                      std::size_t n) {
-  prepare_hdf5();
   for (const BodyResult& body : bodies) check_shapes(body, count);
   if (first != records_)
     throw std::invalid_argument("results: blocks of records do not follow each other");
   const DataTree tree = series_tree(bodies, count);
-  if (!file_) {
-    file_.emplace(path_);
-    write_groups(*file_, tree);
+  const bool first_block = !file_;
+  Hdf5File& file = this->file();
+  if (first_block) {
+    write_groups(file, tree);
     for (const DataSet& set : tree.sets) {
       Hdf5File::Shape shape = shape_of(set);
       shape[0] = n;
-      series_.push_back(file_->numbers(set.name, shape));
-      write_unit(*file_, set);
+      series_.push_back(file.numbers(set.name, shape));
+      write_unit(file, set);
     }
   }
   if (tree.sets.size() != series_.size())
     throw std::invalid_argument("results: the bodies have other series than in the first block");
   for (std::size_t i = 0; i < series_.size(); ++i)
-    file_->write_rows(series_[i], first, std::get<std::span<const double>>(tree.sets[i].values),
-                      shape_of(tree.sets[i]));
+    file.write_rows(series_[i], first, std::get<std::span<const double>>(tree.sets[i].values),
+                    shape_of(tree.sets[i]));
   records_ += count;
 }
 
@@ -51,19 +70,20 @@ void Hdf5Writer::finish(const Results& results) {
   if (records_ != (results.kept.empty() ? 0 : results.times.size()))
     throw std::invalid_argument("results: the file has series of bodies of other records");
   const DataTree tree = data_tree(results);
-  if (!file_) file_.emplace(path_);
-  write_groups(*file_, tree);
+  Hdf5File& file = this->file();
+  write_groups(file, tree);
   for (const DataSet& set : tree.sets) {
     if (const auto* numbers = std::get_if<std::span<const double>>(&set.values))
-      file_->write(set.name, *numbers, shape_of(set));
+      file.write(set.name, *numbers, shape_of(set));
     else if (const auto* integers = std::get_if<std::vector<int>>(&set.values))
-      file_->write(set.name, *integers, shape_of(set));
+      file.write(set.name, *integers, shape_of(set));
     else
-      file_->write(set.name, std::get<std::vector<std::string>>(set.values));
-    write_unit(*file_, set);
+      file.write(set.name, std::get<std::vector<std::string>>(set.values));
+    write_unit(file, set);
   }
   series_.clear();
-  file_->close();
+  file.close();
+  finished_ = true;
 }
 
 void write_hdf5(const std::filesystem::path& path, const Results& results) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,10 +15,12 @@
 namespace liesl::output {
 
 /// Everything that is recorded, as data_tree.hpp lays it out. Every data set of numbers has an
-/// attribute `unit`. The file is made when the first numbers come.
+/// attribute `unit`. The file is made while its numbers are still computed, and taken away if they
+/// do not come.
 class Hdf5Writer final : public BodySink {
  public:
-  explicit Hdf5Writer(std::filesystem::path path) : path_(std::move(path)) { prepare_hdf5(); }
+  explicit Hdf5Writer(const std::filesystem::path& path);
+  ~Hdf5Writer() override { discard(); }
   /// Series of bodies before the rest, blocks in their order.
   /// @throws IoError, std::invalid_argument (shapes, another order)
   void put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
@@ -25,10 +28,16 @@ class Hdf5Writer final : public BodySink {
   /// All that was not put before, and closes the file.
   /// @throws IoError, std::invalid_argument (shapes, records that were not put)
   void finish(const Results& results);
+  /// No file, as there are no numbers; nothing once it is finished.
+  void discard();
 
  private:
+  Hdf5File& file();
+
   std::filesystem::path path_;
-  std::optional<Hdf5File> file_;
+  std::future<Hdf5File> made_;
+  std::optional<Hdf5File> file_;  ///< once it is used
+  bool finished_ = false;
   std::vector<Hdf5Handle> series_;  ///< in the order of series_tree()
   std::size_t records_ = 0;         ///< that were put
 };

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "apps/output/cut_mesh.hpp"
-#include "apps/output/hdf5_input.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/results.hpp"
 
@@ -202,17 +201,16 @@ std::optional<double> opening(const Json& summary) {
   return at.get<double>();
 }
 
-Json motion(const std::filesystem::path& results, std::optional<double> opening, double bytes,
-            Blob& blob) {
-  const Hdf5Input file(results);
+Json motion(const Hdf5Input& file, std::optional<double> opening, double bytes, Blob& blob) {
+  output::prepare_hdf5();  // another thread may have opened it
   if (file.attribute("/", "program") != "liesl")
-    throw output::IoError("report", results, "it is not of liesl");
+    throw output::IoError("report", file.path(), "it is not of liesl");
   const auto records = file.shape("/time");
   const auto bodies = file.children("/bodies");
   if (records.empty() || records[0] == 0 || bodies.empty()) return nullptr;
   for (const std::string& name : bodies)
     if (!file.has("/bodies/" + name + "/reference_position"))
-      throw output::IoError("report", results,
+      throw output::IoError("report", file.path(),
                             "an earlier version wrote it, without shapes at rest; run it again");
   const int n = static_cast<int>(records[0]);
   const int shown =

@@ -2,9 +2,9 @@
 /// @file
 /// The motion in results.h5 as a page shows it.
 
-#include <filesystem>
 #include <optional>
 
+#include "apps/output/hdf5_input.hpp"
 #include "apps/report/blob.hpp"
 
 namespace liesl::report {
@@ -21,7 +21,7 @@ std::optional<double> opening(const Json& summary);
 /// {"abscissa", "unit", "records", "opens", "t", "bodies", "meshes", "joints"}; "opens" is where
 /// that one is in "t". Null if the file has no records.
 /// @param bytes that there is room for  @throws output::IoError
-Json motion(const std::filesystem::path& results, std::optional<double> opening, double bytes,
+Json motion(const output::Hdf5Input& results, std::optional<double> opening, double bytes,
             Blob& blob);
 
 }  // namespace liesl::report

@@ -1,6 +1,7 @@
 #include "apps/report/report.hpp"
 
 #include <algorithm>
+#include <future>
 
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -48,12 +49,20 @@ double room(const Json& data, const Blob& blob) {
   return 0.75 * (kTexts - static_cast<double>(json)) - static_cast<double>(blob.bytes());
 }
 
+/// The motion of a run, opened beside other work; none of a batch.
+std::future<output::Hdf5Input> results_in(const fs::path& folder, const Json& summary) {
+  const fs::path file = folder / "results.h5";
+  if (!fs::exists(file) || summary.value("command", "") == "batch") return {};
+  return std::async(std::launch::async, [file] { return output::Hdf5Input(file); });
+}
+
 /// @param batch that the page leads back to, or null
 std::string page_in(const fs::path& folder, const std::string& name, const Json& batch) {
   Blob blob;
   const Json summary = output::read_summary(folder, "report");
   Json data = {{"folder", name}, {"summary", summary}, {"batch", batch}};
   try {
+    auto results = results_in(folder, summary);
     data["charts"] = charts(folder, summary, blob);
     data["sized"] = sized_elements(folder);
     data["outlines"] = outlines(folder, blob);
@@ -65,8 +74,8 @@ std::string page_in(const fs::path& folder, const std::string& name, const Json&
       if (fs::exists(folder / table))
         data["cases"] = cases(folder / table, summary.value("done", std::size_t{0}));
     if (fs::exists(folder / "cases")) data["reported"] = reported_cases(folder);
-    if (fs::exists(folder / "results.h5") && summary.value("command", "") != "batch")
-      data["motion"] = motion(folder / "results.h5", opening(summary), room(data, blob), blob);
+    if (results.valid())
+      data["motion"] = motion(results.get(), opening(summary), room(data, blob), blob);
   } catch (const Json::exception& error) {
     throw output::IoError("report", folder / "summary.json", error.what());
   } catch (const std::out_of_range&) {

@@ -84,8 +84,9 @@ class Result(Mapping[str, Any]):
         return len(self._names)
 
     def unit(self, name: str) -> str:
-        """Unit of a data set, "m"; of several kinds of columns "m/s, rad/s"."""
-        return self._records.unit(name)
+        """Unit of a data set, "m"; of several kinds of columns "m/s, rad/s"; empty if it has none, or
+        there is no such data set."""
+        return self._records.unit(name) if name in self._names else ""
 
     def _below(self, name: str) -> list[str]:
         start = name + "/" if name else ""

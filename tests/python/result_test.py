@@ -38,6 +38,8 @@ def test_a_folder_holds_the_same(pendulum, tmp_path):
         assert np.array_equal(folder[name], result[name]), name
         assert folder.unit(name) == result.unit(name)
         assert getattr(folder[name], "dtype", None) == getattr(result[name], "dtype", None)
+    for name in "none", "\ud800":
+        assert folder.unit(name) == result.unit(name) == ""
     assert folder.bodies["rod"].attributes == result.bodies["rod"].attributes == {"kind": "beam"}
     assert folder.summary["status"] == result.status == "done"
     assert folder.tables["responses"]["time [s]"] == pytest.approx(result.time)

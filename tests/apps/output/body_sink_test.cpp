@@ -119,5 +119,22 @@ TEST(BodySink, SeriesDoNotChangeBetweenBlocks) {
   EXPECT_THROW(file.put(bodies, 2, 2, kRecords), std::invalid_argument);
 }
 
+/// Before numbers, after some, in the end: the file is made before they come.
+TEST(BodySink, AFileThatIsNotFinishedIsTakenAway) {
+  const TemporaryFolder place;
+  const auto path = place / "results.h5";
+  { const Hdf5Writer file(path); }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  {
+    Hdf5Writer file(path);
+    file.put(at(results().bodies, {0, 1}), 0, 2, kRecords);
+    EXPECT_TRUE(std::filesystem::exists(path));
+    file.discard();
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+  write_hdf5(path, results());
+  EXPECT_TRUE(std::filesystem::exists(path));
+}
+
 }  // namespace
 }  // namespace liesl::test::body_sink_test
