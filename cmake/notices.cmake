@@ -1,12 +1,12 @@
 # `copyright` of an installation: the licence of liesl, and the notices of what is compiled into its program, as
 # Debian's packages have them (docs/licences.md).
 set(noticed libeigen3-dev libspectra-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev)
-set(noticed_suitesparse libsuitesparse-dev libopenblas-pthread-dev)
+set(noticed_suitesparse libsuitesparse-dev libmumps-dev libopenblas-pthread-dev)
 set(noticed_ipopt coinor-libipopt-dev libmumps-dev libopenblas-pthread-dev)
 set(noticed_hdf5 libhdf5-dev libaec-dev zlib1g-dev)
 set(noticed_crypto libssl-dev)
 foreach(archive suitesparse ipopt hdf5 crypto)
-  if(LIESL_ARCHIVES AND LIESL_ARCHIVE_${archive}_LINKS)
+  if(LIESL_ARCHIVE_${archive}_LINKS)
     list(APPEND noticed ${noticed_${archive}})
   endif()
 endforeach()
@@ -15,9 +15,12 @@ list(REMOVE_DUPLICATES noticed)
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE text)
 file(READ ${PROJECT_SOURCE_DIR}/apps/report/page/dist/notices.txt page)
 string(APPEND text "\nThe program contains what follows.\n")
-if(LIESL_ARCHIVES AND LIESL_ARCHIVE_ipopt_LINKS)
+if(LIESL_ARCHIVE_ipopt_LINKS)
   string(APPEND text "The source of Ipopt (EPL-1.0) is that of Debian's source package coinor-ipopt and of "
-                     "github.com/coin-or/Ipopt; those of KLU and BTF (LGPL-2.1+) and of MUMPS (CeCILL-C) are suitesparse "
+                     "github.com/coin-or/Ipopt.\n")
+endif()
+if(LIESL_ARCHIVE_suitesparse_LINKS OR LIESL_ARCHIVE_ipopt_LINKS)
+  string(APPEND text "The sources of KLU and BTF (LGPL-2.1+) and of MUMPS (CeCILL-C) are those of suitesparse "
                      "and mumps. To link other versions of them: the source of liesl.\n")
 endif()
 string(APPEND text "\n======== pages of results\n\n${page}")

@@ -166,6 +166,12 @@ void CaseFolder::remove_log() const {
   fs::remove(log_, error);
 }
 
+void CaseFolder::remove_left_log() const {
+  std::error_code error;
+  if (!fs::exists(log_, error)) return;
+  if (const CaseLock lock(*this); lock.held()) remove_log();
+}
+
 CaseLock::CaseLock(const CaseFolder& folder) {
   std::error_code error;
   fs::create_directories(folder.log_.parent_path(), error);

@@ -51,6 +51,8 @@ class CaseFolder {
   void mark(const CaseEnd& end) const;
   /// Removes the log that taking the lock has made; only who holds the lock may.
   void remove_log() const;
+  /// Removes that of a pool that was killed once the mark was written.
+  void remove_left_log() const;
 
  private:
   std::filesystem::path mark_path() const { return path_ / "done.json"; }

@@ -98,10 +98,13 @@ class Pool {
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < batch_.cases.rows.size(); ++row) {
       if (!options_.shard.has(row)) continue;
-      if (ended(CaseFolder(folder_, batch_.cases.rows[row].name)))
-        ++report_.before;
-      else
+      const CaseFolder folder(folder_, batch_.cases.rows[row].name);
+      if (!ended(folder)) {
         rows.push_back(row);
+        continue;
+      }
+      folder.remove_left_log();
+      ++report_.before;
     }
     return rows;
   }

@@ -23,6 +23,7 @@
 #include "apps/input/problem.hpp"
 #include "apps/input/schema.hpp"
 #include "apps/output/interrupt.hpp"
+#include "apps/output/memory_limit.hpp"
 #include "apps/output/summary.hpp"
 #include "apps/output/versions.hpp"
 #include "mbs/linalg/stop_request.hpp"
@@ -311,8 +312,7 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
 /// has freed a block of 32 MB: a short run spends much of its time on pages that it gives back and
 /// is given again; it is taken 1 MB at a time. Not where the address space is limited.
 void keep_freed_memory() {
-  rlimit space{};
-  if (::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur != RLIM_INFINITY) return;
+  if (liesl::output::memory_is_limited()) return;
   constexpr int kOwnPages = 32 << 20;  // bytes of a block that is given back on its own
   ::mallopt(M_MMAP_THRESHOLD, kOwnPages);
   ::mallopt(M_TRIM_THRESHOLD, 2 * kOwnPages);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "apps/output/data_tree.hpp"
+#include "apps/output/memory_limit.hpp"
 
 namespace liesl::output {
 namespace {
@@ -22,13 +23,23 @@ void write_unit(const Hdf5File& file, const DataSet& set) {
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& path)
-    : path_(path), made_(std::async(std::launch::async, [path] { return Hdf5File(path); })) {}
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& path) : path_(path) { make(); }
+
+void Hdf5Writer::make() {
+  if (memory_is_limited()) prepare_hdf5();  // which needs memory, while there is some
+  made_ = std::async(beside(), [path = path_] { return Hdf5File(path); });
+}
+
+void Hdf5Writer::restart() {
+  discard();
+  records_ = 0;
+  make();
+}
 
 void Hdf5Writer::discard() {
   if (finished_) return;
-  if (made_.valid()) made_.wait();
-  made_ = {};
+  made_ = {};  // once it is made
+  prepare_hdf5();
   series_.clear();
   file_.reset();
   std::error_code none;
@@ -36,8 +47,9 @@ void Hdf5Writer::discard() {
 }
 
 Hdf5File& Hdf5Writer::file() {
-  prepare_hdf5();
+  if (memory_is_limited()) require_room_for_file();
   if (!file_) file_.emplace(made_.get());
+  prepare_hdf5();  // another thread may have made it
   return *file_;
 }
 

@@ -5,6 +5,7 @@
 
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/memory_limit.hpp"
 #include "apps/output/own_files.hpp"
 #include "apps/output/result_summary.hpp"
 #include "apps/report/loads.hpp"
@@ -53,7 +54,7 @@ double room(const Json& data, const Blob& blob) {
 std::future<output::Hdf5Input> results_in(const fs::path& folder, const Json& summary) {
   const fs::path file = folder / "results.h5";
   if (!fs::exists(file) || summary.value("command", "") == "batch") return {};
-  return std::async(std::launch::async, [file] { return output::Hdf5Input(file); });
+  return std::async(output::beside(), [file] { return output::Hdf5Input(file); });
 }
 
 /// @param batch that the page leads back to, or null
