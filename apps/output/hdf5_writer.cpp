@@ -23,17 +23,9 @@ void write_unit(const Hdf5File& file, const DataSet& set) {
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& path) : path_(path) { make(); }
-
-void Hdf5Writer::make() {
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& path) : path_(path) {
   if (memory_is_limited()) prepare_hdf5();  // which needs memory, while there is some
-  made_ = std::async(beside(), [path = path_] { return Hdf5File(path); });
-}
-
-void Hdf5Writer::restart() {
-  discard();
-  records_ = 0;
-  make();
+  made_ = std::async(beside(), [path] { return Hdf5File(path); });
 }
 
 void Hdf5Writer::discard() {

@@ -25,7 +25,6 @@ class Hdf5Writer final : public BodySink {
   /// @throws IoError, std::invalid_argument (shapes, another order)
   void put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
            std::size_t n) override;
-  void restart() override;
   /// All that was not put before, and closes the file.
   /// @throws IoError, std::invalid_argument (shapes, records that were not put)
   void finish(const Results& results);
@@ -33,7 +32,6 @@ class Hdf5Writer final : public BodySink {
   void discard();
 
  private:
-  void make();
   Hdf5File& file();
 
   std::filesystem::path path_;

@@ -53,8 +53,6 @@ class BodySink {
   /// empty is so in every call
   virtual void put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
                    std::size_t n) = 0;
-  /// Forgets what was put: others follow, from the first one on.
-  virtual void restart() = 0;
 };
 
 /// A meshed part of N nodes and M cells, at r of the records.

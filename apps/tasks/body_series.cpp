@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "apps/output/memory_limit.hpp"
 
@@ -58,34 +57,6 @@ void BodySeries<G>::add(const State<G>& s) {
   }
   ++filled_;
   if (filled_ == most_ || first_ + filled_ == records_) hand_over();
-}
-
-template <FrameGroup G>
-void BodySeries<G>::add_beside(const State<G>& s) {
-  if (seen_++ >= records_) return;
-  if (wait_ < waiting_.size())
-    waiting_[wait_] = s;
-  else
-    waiting_.push_back(s);
-  ++wait_;
-  const std::size_t bytes =
-      sizeof(G) * s.H.size() + 2 * sizeof(double) * static_cast<std::size_t>(s.v.size());
-  if (wait_ * bytes >= kBlock || seen_ == records_) add_waiting();
-}
-
-template <FrameGroup G>
-void BodySeries<G>::add_waiting() {
-  if (added_.valid()) added_.get();
-  waiting_.swap(adding_);
-  added_ = std::async([this, n = std::exchange(wait_, 0)] {
-    for (std::size_t i = 0; i < n; ++i) add(adding_[i]);
-  });
-}
-
-template <FrameGroup G>
-bool BodySeries<G>::whole() {
-  if (added_.valid()) added_.get();
-  return seen_ == records_;
 }
 
 template <FrameGroup G>

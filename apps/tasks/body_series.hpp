@@ -15,8 +15,7 @@ namespace liesl {
 
 /// Positions, rotations, velocities, strains, section forces and stresses of all bodies. They are
 /// made by blocks of records: for the results, or for a sink, beside which the results keep only
-/// the records that tables show (Results::kept). A sink takes a block while the next is made. Of a
-/// motion that goes on they are made beside it: records wait for a thread of their own.
+/// the records that tables show (Results::kept). A sink takes a block while the next is made.
 template <FrameGroup G>
 class BodySeries {
  public:
@@ -26,18 +25,12 @@ class BodySeries {
              output::BodySink* sink, output::Results& results);
   /// The next record. @param s completed
   void add(const State<G>& s);
-  /// The next record, beside the caller; those beyond the last are left out. @param s completed
-  /// @throws what adding those before has thrown
-  void add_beside(const State<G>& s);
-  /// After the last that was added beside. @returns whether there were as many as were told
-  bool whole();
   /// After the last one: a record that the results shall hold, too. @param s it, completed
   void keep_also(int record, const State<G>& s);
 
  private:
   using Sizes = std::array<std::size_t, output::kBodySeries.size()>;
 
-  void add_waiting();
   void add_nodes(const State<G>& s, std::size_t b);
   void add_elements(const State<G>& s, std::size_t b);
   /// The block to the sink or the results.
@@ -54,10 +47,7 @@ class BodySeries {
   std::vector<output::BodyResult> given_;  ///< to the sink
   output::BodySink* sink_;
   output::Results& results_;
-  std::vector<State<G>> waiting_, adding_;  ///< of which the first few are filled
-  std::size_t seen_ = 0, wait_ = 0;         ///< records beside, and how many of them wait
-  std::future<void> taken_;  ///< the block given; the last members, so that they are waited for
-  std::future<void> added_;  ///< adding_, which gives blocks: the very last
+  std::future<void> taken_;  ///< the block given; the last member, so that it is waited for first
 };
 
 extern template class BodySeries<SE2>;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apps/scene/reader.hpp"
+#include "apps/tasks/body_series.hpp"
 #include "apps/tasks/collect_mesh.hpp"
 #include "apps/tasks/collect_reference.hpp"
 #include "apps/tasks/displacement_basis.hpp"
@@ -310,24 +311,20 @@ void add_places(const SpatialView<G>& view, const State<G>& s, output::Results& 
 }  // namespace
 
 template <FrameGroup G>
-output::Results empty_results(const Scene& scene, const Mechanism& mechanism) {
+output::Results collect(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
+                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen,
+                        output::BodySink* sink) {
   output::Results r;
   r.name = mechanism.name;
   r.space = G::space_dim == 2 ? "planar" : "spatial";
-  if (scene.simulation.type != SimulationType::Dynamic) {
+  const bool dynamic = scene.simulation.type == SimulationType::Dynamic;
+  if (!dynamic) {
     r.abscissa = "load_factor";
     r.abscissa_unit = "-";
   }
   for (const auto& body : mechanism.bodies) r.bodies.push_back(empty_body(body));
   for (const auto& j : mechanism.joints) r.joints.push_back(empty_joint(j));
-  return r;
-}
 
-template <FrameGroup G>
-void collect_records(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
-                     const Trajectory<G>& trajectory, const StepRecorder<G>* seen,
-                     BodySeries<G>& series, bool added, output::Results& r) {
-  const bool dynamic = scene.simulation.type == SimulationType::Dynamic;
   for (size_t b = 0; b < mechanism.bodies.size(); ++b)
     if (std::holds_alternative<SolidSpec>(mechanism.bodies[b].kind))
       r.meshes.push_back(mesh_of(mechanism, model, trajectory, static_cast<int>(b), r.bodies[b]));
@@ -335,6 +332,7 @@ void collect_records(const Scene& scene, const Mechanism& mechanism, const Model
   State<G> s = model.initial_state();
   model.complete(s);
   const auto records = static_cast<size_t>(trajectory.size());
+  BodySeries<G> series(mechanism, model, records, sink, r);
   add_reference(mechanism, model, s, r);
   r.times.reserve(records);
   StepRecorder<G> of_records(scene, mechanism, model);
@@ -344,7 +342,7 @@ void collect_records(const Scene& scene, const Mechanism& mechanism, const Model
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     r.times.push_back(s.t);
-    if (!added) series.add(s);
+    series.add(s);
     if (std::binary_search(of_paths.begin(), of_paths.end(), n)) add_places(view, s, r);
     for (size_t j = 0; j < r.joints.size(); ++j) {
       const auto q = joint_coordinates(mechanism, model, static_cast<int>(j), s);
@@ -374,31 +372,17 @@ void collect_records(const Scene& scene, const Mechanism& mechanism, const Model
     trajectory.read(record, s);
     series.keep_also(record, s);
   }
-}
-
-template <FrameGroup G>
-output::Results collect(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
-                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen) {
-  output::Results r = empty_results<G>(scene, mechanism);
-  BodySeries<G> series(mechanism, model, static_cast<size_t>(trajectory.size()), nullptr, r);
-  collect_records(scene, mechanism, model, trajectory, seen, series, false, r);
   return r;
 }
 
 template class StepRecorder<SE2>;
 template class StepRecorder<SE3>;
-template output::Results empty_results<SE2>(const Scene&, const Mechanism&);
-template void collect_records(const Scene&, const Mechanism&, const Model<SE2>&,
-                              const Trajectory<SE2>&, const StepRecorder<SE2>*, BodySeries<SE2>&,
-                              bool, output::Results&);
 template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
-                                 const Trajectory<SE2>&, const StepRecorder<SE2>*);
-template output::Results empty_results<SE3>(const Scene&, const Mechanism&);
-template void collect_records(const Scene&, const Mechanism&, const Model<SE3>&,
-                              const Trajectory<SE3>&, const StepRecorder<SE3>*, BodySeries<SE3>&,
-                              bool, output::Results&);
+                                 const Trajectory<SE2>&, const StepRecorder<SE2>*,
+                                 output::BodySink*);
 template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
-                                 const Trajectory<SE3>&, const StepRecorder<SE3>*);
+                                 const Trajectory<SE3>&, const StepRecorder<SE3>*,
+                                 output::BodySink*);
 template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&,
                                                                const Mechanism&, const Model<SE2>&,
                                                                const Trajectory<SE2>&);

@@ -4,7 +4,6 @@
 
 #include "apps/output/results.hpp"
 #include "apps/scene/scene.hpp"
-#include "apps/tasks/body_series.hpp"
 #include "mbs/solvers/simulation.hpp"
 #include "mbs/system/penalty.hpp"
 #include "mbs/system/response_value.hpp"
@@ -52,23 +51,14 @@ class StepRecorder {
   output::Energies energies_;
 };
 
-/// Names and units, and nothing recorded.
-template <FrameGroup G>
-output::Results empty_results(const Scene& scene, const Mechanism& mechanism);
-
 /// Everything that results.h5 and the tables hold of a simulation.
 /// @param seen what an observer saw of every step; null or empty: the records are all there is
-/// @param series of the bodies of `r`  @param added whether it has the records already
-/// @param r empty_results()
-template <FrameGroup G>
-void collect_records(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
-                     const Trajectory<G>& trajectory, const StepRecorder<G>* seen,
-                     BodySeries<G>& series, bool added, output::Results& r);
-
-/// The same as results that hold all of it.
+/// @param sink takes the series of bodies, of which the results keep few records; null: they keep
+/// all
 template <FrameGroup G>
 output::Results collect(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
-                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen = nullptr);
+                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen = nullptr,
+                        output::BodySink* sink = nullptr);
 
 /// Only the named responses, over the records.
 template <FrameGroup G>
@@ -79,18 +69,12 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
 
 extern template class StepRecorder<SE2>;
 extern template class StepRecorder<SE3>;
-extern template output::Results empty_results<SE2>(const Scene&, const Mechanism&);
-extern template void collect_records(const Scene&, const Mechanism&, const Model<SE2>&,
-                                     const Trajectory<SE2>&, const StepRecorder<SE2>*,
-                                     BodySeries<SE2>&, bool, output::Results&);
 extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
-                                        const Trajectory<SE2>&, const StepRecorder<SE2>*);
-extern template output::Results empty_results<SE3>(const Scene&, const Mechanism&);
-extern template void collect_records(const Scene&, const Mechanism&, const Model<SE3>&,
-                                     const Trajectory<SE3>&, const StepRecorder<SE3>*,
-                                     BodySeries<SE3>&, bool, output::Results&);
+                                        const Trajectory<SE2>&, const StepRecorder<SE2>*,
+                                        output::BodySink*);
 extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
-                                        const Trajectory<SE3>&, const StepRecorder<SE3>*);
+                                        const Trajectory<SE3>&, const StepRecorder<SE3>*,
+                                        output::BodySink*);
 extern template std::vector<output::ResponseResult> collect_responses(
     const std::vector<ResponseSpec>&, const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&);
 extern template std::vector<output::ResponseResult> collect_responses(

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "apps/input/problem.hpp"
+#include "apps/tasks/collect.hpp"
 #include "apps/tasks/describe_identity.hpp"
-#include "apps/tasks/motion_recorder.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
@@ -67,10 +67,10 @@ template <FrameGroup G>
 void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
             output::BodySink* sink, EslOutcome& out) {
   Model<G> model = Model<G>::build(scene.mechanism, space);
-  MotionRecorder<G> recorder(scene, model, sink);
+  StepRecorder<G> steps(scene, scene.mechanism, model);
   PartRanges<G> ranges(scene.mechanism, model);
   const auto observe = [&](const State<G>& s, bool recorded) {
-    recorder(s, recorded);
+    steps(s, recorded);
     ranges.add(s);
   };
   const Simulation<G> simulation =
@@ -80,7 +80,7 @@ void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   describe(out.run.summary, simulation.report, simulation.start, scene.mechanism,
            scene.simulation.type);
   out.run.status = describe_ranges(out.run.summary, scene.simulation, ranges, out.run.status);
-  out.run.results = recorder.results(simulation.trajectory);
+  out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps, sink);
   describe_responses(out.run.summary, out.run.results);
   out.run.status =
       describe_doubts(out.run.summary, scene, scene.mechanism, out.run.results, out.run.status);

@@ -8,7 +8,6 @@
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/collect_reference.hpp"
 #include "apps/tasks/motion_notes.hpp"
-#include "apps/tasks/motion_recorder.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "mbs/bodies/continuum.hpp"
@@ -129,10 +128,10 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
             output::BodySink* sink, RunOutcome& out) {
   if (scene.simulation.type == SimulationType::Modes) return run_modes(scene, space, out);
   Model<G> model = Model<G>::build(scene.mechanism, space);
-  MotionRecorder<G> recorder(scene, model, sink);
+  StepRecorder<G> steps(scene, scene.mechanism, model);
   PartRanges<G> ranges(scene.mechanism, model);
   const auto observe = [&](const State<G>& s, bool recorded) {
-    recorder(s, recorded);
+    steps(s, recorded);
     ranges.add(s);
   };
   const Simulation<G> simulation =
@@ -162,7 +161,7 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
     const Unstopped whole;
     return leaving_plane(scene, model, simulation.trajectory);
   });
-  out.results = recorder.results(simulation.trajectory);
+  out.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps, sink);
   describe_responses(out.summary, out.results);
   for (auto notes : {leaving.get(), struck_start(scene, model, simulation.trajectory, out.results)})
     out.summary.warnings.insert(out.summary.warnings.end(), notes.begin(), notes.end());

@@ -365,29 +365,20 @@ State<G> completed(const Model<G>& model, State<G> s) {
   return s;
 }
 
-long steps_of(const SimulationOptions& options) {
-  return std::lround(std::ceil(options.duration / options.step * (1 - 1e-12)));
-}
-
 }  // namespace
-
-int recorded_states(const SimulationOptions& options) {
-  const long whole_steps = steps_of(options), last = whole_steps % options.output_every;
-  return static_cast<int>(whole_steps / options.output_every) + (last == 0 ? 1 : 2);
-}
 
 template <FrameGroup G>
 DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& options,
                           const Progress& progress, Tape<G>* tape, const Observer<G>& observe) {
   options.require_valid();
-  const long whole_steps = steps_of(options);
+  const long whole_steps = std::lround(std::ceil(options.duration / options.step * (1 - 1e-12)));
   SimulationOptions o = options;
   o.step = options.duration / static_cast<double>(whole_steps);
   DynamicResult<G> result;
   Report& report = result.report;
   State<G> s = model.initial_state();
   if (!begin(model, o, s, result)) return result;
-  result.trajectory.reserve(s, recorded_states(options));
+  result.trajectory.reserve(s, static_cast<int>(whole_steps / o.output_every) + 2);
   State<G> seen;  // completed
   const auto show = [&](bool recorded) {
     if (!recorded && !observe) return;

@@ -26,9 +26,6 @@ using Progress = std::function<bool(double t)>;
 template <FrameGroup G>
 using Observer = std::function<void(const State<G>& s, bool recorded)>;
 
-/// States that a motion records if it reaches its end.
-int recorded_states(const SimulationOptions& options);
-
 /// Runs the model over options.duration. A step that does not converge is tried with the tangent
 /// at the current state, then with half the step, down to options.step_min; then the run stops with
 /// a reason, and the records until there are kept. Steps grow back on the grid of options.step,

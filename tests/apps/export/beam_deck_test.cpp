@@ -90,7 +90,6 @@ TEST(BeamDeck, RefusesResultsThatKeepFewerRecordsThanTheLoads) {
   struct Nowhere final : output::BodySink {
     void put(const std::vector<output::BodyResult>&, std::size_t, std::size_t,
              std::size_t) override {}
-    void restart() override {}
   } nowhere;
   const Scene& scene = exported().scene;
   const EslOutcome esl = esl_task(scene, choose_space(scene), {}, &nowhere);

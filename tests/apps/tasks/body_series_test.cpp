@@ -54,16 +54,10 @@ class Whole final : public output::BodySink {
     ++blocks;
     expected = n;
   }
-  void restart() override {
-    bodies.clear();
-    records = 0;
-    blocks = 0;
-    ++restarts;
-  }
 
   std::vector<BodyResult> bodies;
   std::size_t records = 0, expected = 0;
-  int blocks = 0, restarts = 0;
+  int blocks = 0;
 };
 
 TEST(BodySeries, BlocksAreTheWhole) {
@@ -76,7 +70,6 @@ TEST(BodySeries, BlocksAreTheWhole) {
     const output::Results few = run_task(read, space, {}, &whole).results;
     ASSERT_EQ(whole.records, all.times.size()) << keys;
     EXPECT_EQ(whole.expected, all.times.size());
-    EXPECT_EQ(whole.restarts, 0) << keys;
     EXPECT_EQ(whole.blocks > 1, all.times.size() > 100) << keys;
     EXPECT_EQ(few.times, all.times);
     EXPECT_TRUE(all.kept.empty());
@@ -110,27 +103,6 @@ TEST(BodySeries, BlocksAreTheWhole) {
   }
 }
 
-/// What is made beside a motion is made again of what there is, if it ends before.
-TEST(BodySeries, OfAMotionThatEndsEarly) {
-  const Scene read = scene("");
-  const ChosenSpace space = choose_space(read);
-  const output::Results all = run_task(read, space).results;
-  Whole whole;
-  const RunOutcome out = run_task(
-      read, space, [](double t) { return t < 0.3; }, &whole);
-  EXPECT_EQ(out.status, SolveStatus::Interrupted);
-  ASSERT_EQ(out.results.times.size(), 301u);
-  EXPECT_EQ(whole.restarts, 1);
-  EXPECT_EQ(whole.records, 301u);
-  EXPECT_EQ(whole.expected, 301u);
-  for (std::size_t b = 0; b < all.bodies.size(); ++b)
-    for (const auto series : kBodySeries) {
-      const auto &expected = all.bodies[b].*series, &got = whole.bodies[b].*series;
-      ASSERT_EQ(got.size(), expected.size() / all.times.size() * 301);
-      EXPECT_TRUE(std::equal(got.begin(), got.end(), expected.begin()));
-    }
-}
-
 /// Blocks are taken beside the making of the next: what fails then is heard of.
 TEST(BodySeries, AFailingSinkStopsIt) {
   class Full final : public output::BodySink {
@@ -138,7 +110,6 @@ TEST(BodySeries, AFailingSinkStopsIt) {
     void put(const std::vector<BodyResult>&, std::size_t first, std::size_t, std::size_t) override {
       if (first >= from) throw std::runtime_error("no space left");
     }
-    void restart() override {}
     std::size_t from = 0;
   };
   const Scene read = scene("");

@@ -8,7 +8,6 @@
 
 #include "mbs/run.hpp"
 #include "mbs/solvers/simulation.hpp"
-#include "mbs/system/end_force.hpp"
 #include "reference/mechanisms.hpp"
 #include "reference/meshed_rod.hpp"
 
@@ -84,44 +83,6 @@ TEST(Threads, Statics) {
   m.joints[0].type = JointType::Fixed;
   m.gravity *= 0.01;
   expect_independent_runs<SE3>(m, {}, o);
-}
-
-/// Strains and section forces of all records.
-template <FrameGroup G>
-std::vector<double> forces(const Model<G>& model, const Trajectory<G>& t) {
-  std::vector<double> out;
-  const auto add = [&](const auto& x) { out.insert(out.end(), x.data(), x.data() + x.size()); };
-  State<G> s = model.initial_state();
-  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
-    const Body<G>& body = *model.bodies[static_cast<std::size_t>(b)];
-    const EndForce<G> ends(model, b);
-    for (int n = 0; n < t.size(); ++n) {
-      t.read(n, s);
-      const BodyState<G> state = model.body_state(s, b);
-      for (const auto& element : ends.all(body, state))
-        for (const auto& end : element) add(end);
-      for (int e = 0; e < body.elements(); ++e) add(body.strain(state, e));
-    }
-  }
-  return out;
-}
-
-/// What is recorded of a motion is made beside its steps.
-TEST(Threads, ForcesBesideAMotion) {
-  const Mechanism m = test::slider_crank({.elements = 4});
-  const SimulationOptions o = test::options(0.005, 1e-4);
-  const auto model = Model<SE3>::build(m, {});
-  const auto alone = run_simulation(model, o);
-  const auto expected = forces(model, alone.trajectory);
-  ASSERT_GT(expected.size(), 1000u);
-  Simulation<SE3> again;
-  std::vector<double> beside;
-  {
-    std::jthread steps([&] { again = run_simulation(model, o); });
-    std::jthread records([&] { beside = forces(model, alone.trajectory); });
-  }
-  EXPECT_EQ(beside, expected);
-  EXPECT_EQ(numbers(again.trajectory), numbers(alone.trajectory));
 }
 
 }  // namespace
