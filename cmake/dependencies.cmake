@@ -10,17 +10,18 @@ pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
 define_property(TARGET PROPERTY LIESL_ARCHIVES BRIEF_DOCS "Linked with archives of packages")
 include(CheckCXXSourceCompiles)
 
-# liesl_package(<name> <symbol> SHARED <libraries...> ARCHIVES <files...> [PATHS <folders...>]): liesl_<name> is
-# the archives, with the shared libraries that they need, in programs with the property LIESL_ARCHIVES, if all
-# are there and a program with the symbol links; elsewhere the shared libraries.
-function(liesl_package name symbol)
-  cmake_parse_arguments(PARSE_ARGV 2 of "" "" "SHARED;ARCHIVES;PATHS")
+# liesl_archives(<name> <symbol> FILES <files...> [PATHS <folders...>]): LIESL_ARCHIVE_<name>_LINKS, whether all
+# are there and a program with the symbol links; LIESL_ARCHIVE_<name>_FILES, the archives with the shared
+# libraries that they need.
+function(liesl_archives name symbol)
+  cmake_parse_arguments(PARSE_ARGV 2 of "" "" "FILES;PATHS")
   set(files "")
-  foreach(file IN LISTS of_ARCHIVES)
+  foreach(file IN LISTS of_FILES)
     find_library(LIESL_FILE_${file} ${file} HINTS ${of_PATHS})
     mark_as_advanced(LIESL_FILE_${file})
     list(APPEND files ${LIESL_FILE_${file}})
   endforeach()
+  set(LIESL_ARCHIVE_${name}_FILES ${files} PARENT_SCOPE)
   if(NOT LIESL_ARCHIVES OR files MATCHES "NOTFOUND")
     set(LIESL_ARCHIVE_${name}_LINKS OFF CACHE INTERNAL "")
   else()
@@ -29,18 +30,26 @@ function(liesl_package name symbol)
     check_cxx_source_compiles("extern \"C\" int ${symbol}(); int main() { return ${symbol}(); }"
                               LIESL_ARCHIVE_${name}_LINKS)
   endif()
+endfunction()
+
+# liesl_package(<name> <shared libraries...>): liesl_<name> is its archives, in programs with the property
+# LIESL_ARCHIVES, if they link; elsewhere the shared libraries.
+function(liesl_package name)
   add_library(liesl_${name} INTERFACE)
   if(LIESL_ARCHIVE_${name}_LINKS)
     add_library(liesl_${name}_archives INTERFACE)
-    target_link_libraries(liesl_${name}_archives INTERFACE ${files})
+    target_link_libraries(liesl_${name}_archives INTERFACE ${LIESL_ARCHIVE_${name}_FILES})
     add_library(liesl_${name}_shared INTERFACE)
-    target_link_libraries(liesl_${name}_shared INTERFACE ${of_SHARED})
+    target_link_libraries(liesl_${name}_shared INTERFACE ${ARGN})
     set(chosen $<BOOL:$<TARGET_PROPERTY:LIESL_ARCHIVES>>)
     target_link_libraries(liesl_${name} INTERFACE
       $<BUILD_INTERFACE:$<IF:${chosen},liesl_${name}_archives,liesl_${name}_shared>>
-      "$<INSTALL_INTERFACE:${of_SHARED}>")
+      "$<INSTALL_INTERFACE:${ARGN}>")
   else()
-    target_link_libraries(liesl_${name} INTERFACE ${of_SHARED})
+    if(LIESL_ARCHIVES)
+      message(STATUS "liesl: shared libraries of ${name}, as its archives are not all there")
+    endif()
+    target_link_libraries(liesl_${name} INTERFACE ${ARGN})
   endif()
 endfunction()
 
@@ -71,16 +80,26 @@ elseif(LIESL_FACTORISATION STREQUAL "cholmod")
 else()
   message(FATAL_ERROR "LIESL_FACTORISATION is '${LIESL_FACTORISATION}'; expected cholmod or mumps")
 endif()
-liesl_package(suitesparse ${factorise}
-  SHARED ${factorisation} klu amd colamd btf suitesparseconfig
-  ARCHIVES ${FACTORISATION_FILES} libklu.a libamd.a libcolamd.a libbtf.a libsuitesparseconfig.a ${BLAS_FILES})
+liesl_archives(suitesparse ${factorise} FILES
+  ${FACTORISATION_FILES} libklu.a libamd.a libcolamd.a libbtf.a libsuitesparseconfig.a ${BLAS_FILES})
+if(LIESL_OPTIM)
+  pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
+  liesl_archives(ipopt CreateIpoptProblem FILES libipopt.a ${MUMPS_FILES} ${BLAS_FILES}
+                 PATHS ${IPOPT_LIBRARY_DIRS} ${IPOPT_LIBDIR})
+  # Both or neither: a program has one OpenBLAS.
+  if(NOT LIESL_ARCHIVE_suitesparse_LINKS OR NOT LIESL_ARCHIVE_ipopt_LINKS)
+    set(LIESL_ARCHIVE_suitesparse_LINKS OFF)
+    set(LIESL_ARCHIVE_ipopt_LINKS OFF)
+  endif()
+else()
+  set(LIESL_ARCHIVE_ipopt_LINKS OFF)
+endif()
+liesl_package(suitesparse ${factorisation} klu amd colamd btf suitesparseconfig)
 target_include_directories(liesl_suitesparse SYSTEM INTERFACE ${SUITESPARSE_INCLUDE_DIR}
                            $<$<BOOL:${MUMPS_INCLUDE_DIR}>:${MUMPS_INCLUDE_DIR}>)
 
 if(LIESL_OPTIM)
-  pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
-  liesl_package(ipopt CreateIpoptProblem SHARED PkgConfig::IPOPT
-                ARCHIVES libipopt.a ${MUMPS_FILES} ${BLAS_FILES} PATHS ${IPOPT_LIBRARY_DIRS} ${IPOPT_LIBDIR})
+  liesl_package(ipopt PkgConfig::IPOPT)
   target_include_directories(liesl_ipopt SYSTEM INTERFACE ${IPOPT_INCLUDE_DIRS})
   pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 endif()
@@ -89,12 +108,12 @@ if(LIESL_APPS)
   find_package(nlohmann_json REQUIRED)
   find_package(CLI11 REQUIRED)
   pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
-  liesl_package(hdf5 H5Fopen SHARED PkgConfig::HDF5 ARCHIVES libhdf5.a libsz.a libaec.a libz.a
-                PATHS ${HDF5_LIBRARY_DIRS} ${HDF5_LIBDIR})
+  liesl_archives(hdf5 H5Fopen FILES libhdf5.a libsz.a libaec.a libz.a PATHS ${HDF5_LIBRARY_DIRS} ${HDF5_LIBDIR})
+  liesl_package(hdf5 PkgConfig::HDF5)
   target_include_directories(liesl_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
   pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
-  liesl_package(crypto EVP_Digest SHARED PkgConfig::CRYPTO ARCHIVES libcrypto.a
-                PATHS ${CRYPTO_LIBRARY_DIRS} ${CRYPTO_LIBDIR})
+  liesl_archives(crypto EVP_Digest FILES libcrypto.a PATHS ${CRYPTO_LIBRARY_DIRS} ${CRYPTO_LIBDIR})
+  liesl_package(crypto PkgConfig::CRYPTO)
   target_include_directories(liesl_crypto SYSTEM INTERFACE ${CRYPTO_INCLUDE_DIRS})
 endif()
 

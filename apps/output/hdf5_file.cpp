@@ -45,6 +45,15 @@ hid_t create_file(const std::filesystem::path& path) {
 
 }  // namespace
 
+hid_t transfer() {
+  static const hid_t through = [] {
+    constexpr std::size_t kBuffer = std::size_t{1} << 14;  // bytes
+    const hid_t made = H5Pcreate(H5P_DATASET_XFER);
+    return H5Pset_buffer(made, kBuffer, nullptr, nullptr) < 0 ? H5P_DEFAULT : made;
+  }();
+  return through;
+}
+
 Hdf5File::Hdf5File(const std::filesystem::path& path)
     : path_(path), file_(create_file(path), H5Fclose) {
   checked(file_.id());
@@ -53,6 +62,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path)
 void Hdf5File::fail() const {
   Innermost reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_innermost, &reason);
+  H5Eclear2(H5E_DEFAULT);  // of this thread, which may end
   if (reason.memory) throw std::bad_alloc();
   throw IoError("write", path_, reason.text);
 }
@@ -106,7 +116,7 @@ void Hdf5File::write_rows(const Hdf5Handle& set, hsize_t first, std::span<const 
 void Hdf5File::write_any(const std::string& name, hid_t type, const void* data,
                          const Shape& shape) const {
   const Hdf5Handle set = create(name, type, shape);
-  if (H5Dwrite(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) fail();
+  if (H5Dwrite(set.id(), type, H5S_ALL, H5S_ALL, transfer(), data) < 0) fail();
 }
 
 void Hdf5File::write(const std::string& name, const std::vector<std::string>& texts) const {

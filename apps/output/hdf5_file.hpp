@@ -29,6 +29,10 @@ inline void require_room_for_file() {
   ::operator delete(::operator new(kRoom));
 }
 
+/// How values go to and from a file: those that are converted, texts and integers, through a small
+/// buffer. The library clears a megabyte in each call otherwise.
+hid_t transfer();
+
 /// Owner of an HDF5 identifier. Closes it in the end.
 class Hdf5Handle {
  public:

@@ -112,7 +112,7 @@ Hdf5Numbers Hdf5Input::numbers(const std::string& name) const {
   out.shape.assign(size.begin(), size.end());
   out.values.resize(out.shape.empty() ? 0 : out.shape[0] * out.row());
   if (!out.values.empty() &&
-      H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.values.data()) < 0)
+      H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, transfer(), out.values.data()) < 0)
     fail(name);
   return out;
 }
@@ -140,7 +140,7 @@ Hdf5Numbers Hdf5Input::numbers(const std::string& name, const std::vector<int>& 
     const Hdf5Handle here(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
                           H5Sclose);
     H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
-    if (H5Dread(set.id(), H5T_NATIVE_DOUBLE, here.id(), space.id(), H5P_DEFAULT, block.data()) < 0)
+    if (H5Dread(set.id(), H5T_NATIVE_DOUBLE, here.id(), space.id(), transfer(), block.data()) < 0)
       fail(name);
     for (std::size_t k = i; k < end; ++k)
       std::copy_n(block.begin() + static_cast<long>(row) * (records[k] - records[i]), row,
@@ -158,7 +158,7 @@ std::vector<std::string> Hdf5Input::texts(const std::string& name) const {
   if (H5Tis_variable_str(type.id()) <= 0 || size.size() != 1) fail(name);
   std::vector<char*> data(size[0], nullptr);
   const Hdf5Handle space(H5Dget_space(set.id()), H5Sclose);
-  if (H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()) < 0) fail(name);
+  if (H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, transfer(), data.data()) < 0) fail(name);
   for (const char* text : data) out.emplace_back(text ? text : "");
   H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, data.data());
   return out;

@@ -91,6 +91,7 @@ void Hdf5Writer::finish(const Results& results) {
 }
 
 void write_hdf5(const std::filesystem::path& path, const Results& results) {
+  check_shapes(results);  // before a file is overwritten
   Hdf5Writer(path).finish(results);
 }
 

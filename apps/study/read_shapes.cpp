@@ -121,9 +121,13 @@ void read_fixed_load(StudyReader& reader, const Entry& entry) {
   }
   if (on ? load.nodes.empty() : load.interface < 0)
     reader.scene.problems.add(
-        node, fmt::format("the part has no {} '{}'", on ? "set of nodes" : "interface", at->second),
-        on ? "a side of the grid or a physical group" : "an interface",
-        suggestion(at->second, known));
+        node,
+        on && solid.mesh().sets.contains(at->second)
+            ? fmt::format("the set '{}' of the part has no node of a cell", at->second)
+            : fmt::format("the part has no {} '{}'", on ? "set of nodes" : "interface", at->second),
+        on ? "a side of the grid, a physical group or an *NSET, with nodes of cells"
+           : "an interface",
+        suggestion(at->second, known, "it has none"));
   else if ((on ? load.traction : Vec3(load.force.cwiseAbs() + load.moment.cwiseAbs())).isZero(0))
     reader.scene.problems.add(node, fmt::format("load '{}' is zero", entry.name),
                               on ? "a 'traction'" : "a 'force' or a 'moment'");

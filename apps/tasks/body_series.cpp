@@ -82,9 +82,12 @@ void BodySeries<G>::add_elements(const State<G>& s, std::size_t b) {
   if (E == 0) return;
   const int body = static_cast<int>(b);
   const BodyState<G> state = model_.body_state(s, body);
-  auto forces = ends_[b].all(*model_.bodies[b], state);
-  const typename G::Tangent none = G::Tangent::Zero();
-  forces.resize(E, {none, none});  // as of a rigid body
+  const typename G::Tangent none = G::Tangent::Zero();  // of a rigid body
+  const auto size = std::max(E, static_cast<std::size_t>(model_.bodies[b]->elements()));
+  strains_.assign(size, none);
+  forces_.assign(size, {none, none});
+  model_.bodies[b]->all_strains(state, strains_.data());
+  ends_[b].all(*model_.bodies[b], state, forces_.data());
   const SectionStress& stress = stress_[b];
   double *strain = out.strains.data() + 6 * E * filled_,
          *force = out.section_forces.data() + 12 * E * filled_,
@@ -92,12 +95,11 @@ void BodySeries<G>::add_elements(const State<G>& s, std::size_t b) {
   double& largest = results_.bodies[b].largest_stress;
   for (std::size_t e = 0; e < E; ++e, strain += 6) {
     const int element = static_cast<int>(e);
-    Eigen::Map<SE3::Tangent>{strain} =
-        view_.local(model_.bodies[b]->strain(state, element), body, element);
+    Eigen::Map<SE3::Tangent>{strain} = view_.local(strains_[e], body, element);
     for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
       const int node = node_of(end);
       const SE3::Tangent n =
-          view_.local(forces[e][static_cast<std::size_t>(node)], body, element + node);
+          view_.local(forces_[e][static_cast<std::size_t>(node)], body, element + node);
       Eigen::Map<SE3::Tangent>{force} = n;
       force += 6;
       if (stress.empty()) continue;

@@ -39,9 +39,11 @@ class BodySeries {
 
   const Model<G>& model_;
   SpatialView<G> view_;
-  std::vector<SectionStress> stress_;  ///< by body
-  std::vector<EndForce<G>> ends_;      ///< by body
-  std::vector<Sizes> sizes_;           ///< by body: numbers of a record
+  std::vector<SectionStress> stress_;                       ///< by body
+  std::vector<EndForce<G>> ends_;                           ///< by body
+  std::vector<Sizes> sizes_;                                ///< by body: numbers of a record
+  std::vector<typename G::Tangent> strains_;                ///< of a body at a record
+  std::vector<std::array<typename G::Tangent, 2>> forces_;  ///< at both ends of its elements
   std::size_t records_, first_ = 0, filled_ = 0, most_ = 1;
   std::vector<output::BodyResult> block_;  ///< records first_ ... first_ + filled_ - 1 of most_
   std::vector<output::BodyResult> given_;  ///< to the sink

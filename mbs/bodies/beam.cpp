@@ -237,6 +237,18 @@ auto ChainBeam<G, E>::end_forces(const BodyState<G>& s, int e) const -> std::arr
 }
 
 template <FrameGroup G, class E>
+void ChainBeam<G, E>::all_strains(const BodyState<G>& s, Tangent* eps) const {
+  for (const auto& four : groups_) four.strains(s, eps);
+  if (groups_.empty()) Body<G>::all_strains(s, eps);
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::all_end_forces(const BodyState<G>& s, std::array<Tangent, 2>* n) const {
+  for (const auto& four : groups_) four.end_forces(s, n);
+  if (groups_.empty()) Body<G>::all_end_forces(s, n);
+}
+
+template <FrameGroup G, class E>
 void ChainBeam<G, E>::extrapolate_stress(const BodyState<G>& s, const double* delta,
                                          Tangent* stress) const {
   for (int e = 0; e < elements(); ++e)

@@ -86,6 +86,8 @@ class ChainBeam final : public BeamChain<G> {
   Tangent strain(const BodyState<G>& s, int e) const override;
   Tangent section_force(const BodyState<G>& s, int e, ElementPlace at) const override;
   std::array<Tangent, 2> end_forces(const BodyState<G>& s, int e) const override;
+  void all_strains(const BodyState<G>& s, Tangent* eps) const override;
+  void all_end_forces(const BodyState<G>& s, std::array<Tangent, 2>* n) const override;
   void extrapolate_stress(const BodyState<G>& s, const double* delta,
                           Tangent* stress) const override;
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;

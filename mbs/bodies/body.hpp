@@ -184,6 +184,13 @@ class Body {
   virtual std::array<Tangent, 2> end_forces(const BodyState<G>& s, int e) const {
     return {section_force(s, e, ElementPlace::First), section_force(s, e, ElementPlace::Last)};
   }
+  /// Both for all elements at once. @param eps, n one an element
+  virtual void all_strains(const BodyState<G>& s, Tangent* eps) const {
+    for (int e = 0; e < elements(); ++e) eps[e] = strain(s, e);
+  }
+  virtual void all_end_forces(const BodyState<G>& s, std::array<Tangent, 2>* n) const {
+    for (int e = 0; e < elements(); ++e) n[e] = end_forces(s, e);
+  }
   /// stress[e] = section force + its first-order change by the nodal increments `delta` (dim a
   /// node), one an element: n = K (eps + P(d) delta / L). On entry the stress that the increments
   /// were found with.

@@ -155,6 +155,26 @@ void FourElements<G>::add_energy(const BodyState<G>& s, const Vector& gravity,
   energy.potential += sum(inertia_.weight_potential(A, B, gravity.template cast<Lanes>()));
 }
 
+template <FrameGroup G>
+void FourElements<G>::strains(const BodyState<G>& s, typename G::Tangent* eps) const {
+  const Tangent all = strain(Frame::log(frames(s, 0).inverse() * frames(s, 1)));
+  for (int lane = 0; lane < count_; ++lane)
+    for (int i = 0; i < dim; ++i) eps[first_ + lane][i] = all[i][lane];
+}
+
+/// -g_A and g_B.
+template <FrameGroup G>
+void FourElements<G>::end_forces(const BodyState<G>& s,
+                                 std::array<typename G::Tangent, 2>* n) const {
+  Pair g;
+  law_.force(frames(s, 0), frames(s, 1), nullptr, 0, g);
+  for (int lane = 0; lane < count_; ++lane)
+    for (int i = 0; i < dim; ++i) {
+      n[first_ + lane][0][i] = -g[i][lane];
+      n[first_ + lane][1][i] = g[dim + i][lane];
+    }
+}
+
 template class FourElements<SE2>;
 template class FourElements<SE3>;
 

@@ -3,6 +3,7 @@
 /// Forces and energies of a chain of elements of fourth order, four elements at once: the laws and
 /// the inertia of the elements over frames of Lanes.
 
+#include <array>
 #include <vector>
 
 #include "liegroup/lanes.hpp"
@@ -40,6 +41,9 @@ class FourElements {
   void add_tangents(const BodyState<G>& s, const Vector& gravity, double damping,
                     const typename G::Tangent* stress, Matrices& K, Matrices& C, Matrices& M) const;
   void add_energy(const BodyState<G>& s, const Vector& gravity, BodyEnergy& energy) const;
+  /// @param eps, n of the chain
+  void strains(const BodyState<G>& s, typename G::Tangent* eps) const;
+  void end_forces(const BodyState<G>& s, std::array<typename G::Tangent, 2>* n) const;
 
  private:
   static constexpr int dim = G::dim;

@@ -1,5 +1,7 @@
 #include "mbs/solids/interface_map.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "mbs/linalg/dense.hpp"
@@ -30,8 +32,16 @@ MatrixXd averaging_rows(const SolidMesh& mesh, const Interface& f) {
   return linalg::LDLT(R.transpose() * R).solve(R.transpose());
 }
 
-void check(const SolidMesh& mesh, int freedoms, const Interface& f, std::vector<int>& owner,
-           int number) {
+/// Where a node is: numbers of readers are not those of their files.
+std::string place(const SolidMesh& mesh, int node) {
+  const Vector3d x = mesh.nodes.col(node);
+  return mesh.dim == 2 ? fmt::format("the node at ({:.6g}, {:.6g})", x[0], x[1])
+                       : fmt::format("the node at ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
+}
+
+void check(const SolidMesh& mesh, int freedoms, const std::vector<Interface>& interfaces,
+           std::vector<int>& owner, int number) {
+  const Interface& f = interfaces[static_cast<std::size_t>(number)];
   const bool turns = freedoms > mesh.dim && f.tie == Tie::Rigid;  // a node holds a rotation itself
   const std::size_t least = turns ? 1 : static_cast<std::size_t>(mesh.dim);
   if (f.nodes.size() < least)
@@ -41,9 +51,11 @@ void check(const SolidMesh& mesh, int freedoms, const Interface& f, std::vector<
     if (node < 0 || node >= mesh.node_count())
       refuse(f, "node " + std::to_string(node) + " is not in the mesh");
     if (owner[node] >= 0)
-      refuse(f, owner[node] == number
-                    ? "node " + std::to_string(node) + " is listed twice"
-                    : "node " + std::to_string(node) + " belongs to another interface, too");
+      refuse(f, place(mesh, node) +
+                    (owner[node] == number
+                         ? " is listed twice"
+                         : " belongs to interface '" +
+                               interfaces[static_cast<std::size_t>(owner[node])].name + "', too"));
     owner[node] = number;
   }
   if (!turns && linalg::pivoted_columns(rigid_at(mesh, mesh.dim, f)).rank < (mesh.dim == 2 ? 3 : 6))
@@ -110,7 +122,7 @@ InterfaceMap interface_map(const SolidMesh& mesh, int freedoms,
   const int dim = mesh.dim, all = freedoms * mesh.node_count();
   std::vector<int> owner(mesh.node_count(), -1);
   for (std::size_t k = 0; k < interfaces.size(); ++k)
-    check(mesh, freedoms, interfaces[k], owner, static_cast<int>(k));
+    check(mesh, freedoms, interfaces, owner, static_cast<int>(k));
 
   InterfaceMap map;
   map.coordinate.assign(all, 0);

@@ -53,17 +53,20 @@ class EndForce {
     return n;
   }
 
-  /// Of both ends of all elements, each evaluated once.
-  std::vector<std::array<Tangent, 2>> all(const Body<G>& body, const BodyState<G>& s) const {
-    std::vector<std::array<Tangent, 2>> raw;
-    for (int e = 0; e < elements_; ++e) raw.push_back(body.end_forces(s, e));
-    auto n = raw;
+  /// Of both ends of all elements, each evaluated once. @param n takes them, one an element
+  void all(const Body<G>& body, const BodyState<G>& s, std::array<Tangent, 2>* n) const {
+    body.all_end_forces(s, n);
+    std::vector<Tangent> jumps(static_cast<std::size_t>(elements_), Tangent::Zero());
+    for (int k = 1; k < elements_; ++k)
+      add_jump(n[k][0], n[k - 1][1], 1, jumps[static_cast<std::size_t>(k)]);
     for (int e = 0; e < elements_; ++e)
       for (const ElementPlace place : {ElementPlace::First, ElementPlace::Last})
         for (const auto& [node, share] : shares(e, place))
-          if (node > 0)
-            add_jump(raw[std::size_t(node)][0], raw[std::size_t(node - 1)][1], share,
-                     n[std::size_t(e)][std::size_t(node_of(place))]);
+          if (node > 0) n[e][node_of(place)] += share * jumps[static_cast<std::size_t>(node)];
+  }
+  std::vector<std::array<Tangent, 2>> all(const Body<G>& body, const BodyState<G>& s) const {
+    std::vector<std::array<Tangent, 2>> n(static_cast<std::size_t>(elements_));
+    all(body, s, n.data());
     return n;
   }
 

@@ -166,6 +166,28 @@ TYPED_TEST(FourElementsTest, EqualTheElementsOneByOne) {
     }
 }
 
+TYPED_TEST(FourElementsTest, HaveTheStrainsAndEndForcesOfTheElements) {
+  using Tangent = typename TypeParam::Tangent;
+  for (const double angle : {0.01, 0.3, 1.0})
+    for (const int elements : {1, 4, 7}) {
+      SCOPED_TRACE(std::to_string(elements) + " elements, angle " + std::to_string(angle));
+      const Chain<TypeParam> chain(elements, angle);
+      const Tangent none = Tangent::Zero();
+      std::vector<Tangent> strains(chain.body.elements(), none);
+      std::vector<std::array<Tangent, 2>> forces(chain.body.elements(), {none, none});
+      chain.body.all_strains(chain.state(), strains.data());
+      chain.body.all_end_forces(chain.state(), forces.data());
+      for (int e = 0; e < elements; ++e) {
+        const Tangent strain = chain.body.strain(chain.state(), e);
+        EXPECT_LE((strains[e] - strain).norm(), 1e-13 * strain.norm());
+        for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
+          const Tangent force = chain.body.section_force(chain.state(), e, end);
+          EXPECT_LE((forces[e][node_of(end)] - force).norm(), 1e-12 * force.norm());
+        }
+      }
+    }
+}
+
 TYPED_TEST(FourElementsTest, HaveTheTangentsOfTheElements) {
   using G = TypeParam;
   using Stress = const typename G::Tangent*;

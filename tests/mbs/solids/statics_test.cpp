@@ -121,8 +121,9 @@ TEST(SolidModel, RefusesInterfacesThatHoldNothing) {
   };
   refused({{"pin", {3}, {0, 0, 0}, Tie::Rigid}}, "interface 'pin': has 1 nodes");
   refused({{"pin", {3, 99}, {0, 0, 0}, Tie::Rigid}}, "node 99 is not in the mesh");
+  refused({{"pin", {3, 4, 3}, {0, 0, 0}, Tie::Rigid}}, "the node at (0, 0.5) is listed twice");
   refused({{"pin", {3, 4}, {0, 0, 0}, Tie::Rigid}, {"eye", {4, 5}, {0, 0, 0}, Tie::Averaged}},
-          "interface 'eye': node 4 belongs to another");
+          "interface 'eye': the node at (0.5, 0.5) belongs to interface 'pin', too");
   const SolidMesh cube = hex_grid({0, 0, 0}, {1, 1, 1}, 2, 2, 2);
   EXPECT_THROW(SolidModel(cube, m, {{"line", {0, 1, 2}, {0, 0, 0}, Tie::Rigid}}, {}),
                std::invalid_argument);
