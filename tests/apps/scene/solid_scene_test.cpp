@@ -227,7 +227,7 @@ const BadPart kParts[] = {
     {"HugeGrid", "cells = [48, 6]", "cells = @[48000, 600]", {"2.88e+07 cells", "at most 1e+06"}},
     {"NoFile", "{ from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }", "{ file = @\"none.msh\" }", {"none.msh", "no such file", "relative to the scene"}},
     {"FewNodes", "{ centre = [0, 0], radius = 0.009 }", "@{ centre = [0, 0], radius = 0.001 }", {"'big_end'", "1 nodes", "0.005 m wide"}},
-    {"SharedNodes", "{ from = [0.19, -0.01], to = [0.21, 0.01] }", "@{ from = [0, -0.01], to = [0.21, 0.01] }", {"'small_end'", "another interface"}},
+    {"SharedNodes", "{ from = [0.19, -0.01], to = [0.21, 0.01] }", "@{ from = [0, -0.01], to = [0.21, 0.01] }", {"'small_end'", "belongs to interface 'big_end', too"}},
     {"NoSet", "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ set = @\"xmin\" }", {"no set of nodes 'xmin'", "x_min"}},
     {"PointInSpace", "centre = [0, 0]", "centre = @[0, 0, 0]", {"3 numbers in 'centre'", "planar"}},
     {"NoRing", "radius = 0.009 }", "radius = 0.009, inner = @0.01 }", {"empty ring"}},
