@@ -186,7 +186,7 @@ export function references(s) {
 
 /** Modes with their frequencies; a row shows its mode in the picture. */
 function modes(s, clock) {
-  const node = table(['mode', 'frequency'], s.frequencies_hz.map((f, i) => [i + 1, quantity(f, 'Hz', 5)]), ['', 'n']);
+  const node = table(['mode', 'frequency [Hz]'], s.frequencies_hz.map((f, i) => [i + 1, number(f, 5)]), ['', 'n']);
   if (clock?.t.length !== s.frequencies_hz.length) return node;
   const rows = [...node.querySelectorAll('tbody tr')];
   for (const [i, row] of rows.entries()) {
