@@ -9,12 +9,21 @@ if(LIESL_ARCH)
 endif()
 
 # Compilers are called through ccache where there is one; what it must be told for precompiled headers
-# is in its manual, "Precompiled headers".
+# is in its manual, "Precompiled headers". It takes the sources that a compiler has read (CCACHE_DEPEND)
+# and runs no preprocessor before it. With the memory of tcmalloc in place of the C library's a compiler
+# takes an eighth less time (docs/performance.md).
 find_program(LIESL_CCACHE ccache)
-mark_as_advanced(LIESL_CCACHE)
-if(LIESL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-                                  ${LIESL_CCACHE})
+find_library(LIESL_COMPILER_MALLOC NAMES libtcmalloc_minimal.so.4)
+mark_as_advanced(LIESL_CCACHE LIESL_COMPILER_MALLOC)
+if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(LIESL_COMPILER_MALLOC)
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER LD_PRELOAD=${LIESL_COMPILER_MALLOC})
+  endif()
+  if(LIESL_CCACHE)
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1
+                                            ${LIESL_CCACHE})
+  endif()
+  list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC collects garbage from 128 MB on, about a tenth of its time; a compiler takes 1.5 GB at most.
