@@ -64,6 +64,28 @@ TEST(PartModel, HoleInAPlateTakesTheAxesRatioOfTheLoads) {
   EXPECT_NEAR(r.x[0] * r.x[1], 0.02, 1e-3 * 0.02);
 }
 
+/// Relative changes of a term of the objective are of its value, of which there has to be one.
+TEST(PartModel, TermThatIsZeroInAllLoadCasesIsNamed) {
+  QuarterPlate plate(8, 0.15, 0.15, 0.5);
+  SolidLimit term{"compliance", SolidResponse::Compliance, 0, 1, 0};
+  term.weight = 1;
+  plate.task.objective = SolidResponse::Mass;
+  plate.task.limits = {term};
+  const auto first = [&plate] {
+    PartModel model(plate.task);
+    const VectorXd x = plate.design->start();
+    return model.static_problem(*model.analyse(x, {}), x, 0.1);
+  };
+  EXPECT_NO_THROW(first());
+  plate.task.loads.setZero();
+  try {
+    first();
+    ADD_FAILURE() << "nothing is loaded";
+  } catch (const NoSensitivities& error) {
+    EXPECT_STREQ(error.what(), "'compliance' of the objective is 0 in all load cases");
+  }
+}
+
 /// Stopped within a factor or between solutions, anywhere: the best design so far is the answer,
 /// and a run that goes on from its cycles ends where one without a break does.
 TEST(PartModel, StoppedAnywhereItGoesOn) {
