@@ -184,7 +184,7 @@ void print_result(const output::BatchSummary& s, const PoolReport& report, const
   fmt::print("  {} case{} now, {} before, {} at once, {:.3g} s\n", report.ran,
              report.ran == 1 ? "" : "s", report.before, s.jobs, s.wall_s);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
-  print_folder(folder, fmt::format(" --x '{}' --y {}", batch.cases.columns.front().name,
+  print_folder(folder, fmt::format(" --x {} --y {}", shell_word(batch.cases.columns.front().name),
                                    batch.optimize ? "mass_final" : "steps"));
 }
 

@@ -43,7 +43,8 @@ void print_result(const LeanOutcome& out, const std::string& folder) {
   print_responses(out.summary);
   for (const auto& warning : out.summary.warnings) fmt::print("  note: {}\n", warning);
   fmt::print("results in {}", folder);
-  if (!out.scene.empty()) fmt::print("; next: liesl run {}/lean.toml -o DIR", folder);
+  if (!out.scene.empty())
+    fmt::print("; next: liesl run {} -o DIR", shell_word(folder + "/lean.toml"));
   fmt::print("\n");
 }
 

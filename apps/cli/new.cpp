@@ -6,6 +6,7 @@
 
 #include "apps/cli/command.hpp"
 #include "apps/cli/templates.hpp"
+#include "apps/cli/terminal.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/input/rewrite.hpp"
 #include "apps/input/schema.hpp"
@@ -102,7 +103,7 @@ int new_command(const CommandOptions& options) {
       path, with_schema(options.file == "study" ? FileKind::Study : FileKind::Scene, made.text));
   if (!options.quiet)
     fmt::print("{}\nnext: liesl {} {}\n", path.string(),
-               options.file == "study" ? "optimize" : "run", path.string());
+               options.file == "study" ? "optimize" : "run", shell_word(path.string()));
   return 0;
 }
 

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <string_view>
 
 #include "apps/output/interrupt.hpp"
 
@@ -76,12 +79,24 @@ std::string size_percent(double share) {
   return text.starts_with('+') ? text.substr(1) : text;
 }
 
+std::string shell_word(const std::string& text) {
+  const auto plain = [](unsigned char c) {
+    return c >= 0x80 || std::isalnum(c) ||
+           std::string_view("_-./+=:,@%").find(char(c)) != std::string_view::npos;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 void print_folder(const std::string& folder, const std::string& axes) {
+  const std::string word = shell_word(folder);
   if (std::filesystem::exists(std::filesystem::path(folder) / "report.html"))
-    fmt::print("results in {}; look at {}/report.html, or: liesl plot {}{}\n", folder, folder,
-               folder, axes);
+    fmt::print("results in {}; look at {}/report.html, or: liesl plot {}{}\n", folder, folder, word,
+               axes);
   else
-    fmt::print("results in {}; next: liesl plot {}{}\n", folder, folder, axes);
+    fmt::print("results in {}; next: liesl plot {}{}\n", folder, word, axes);
 }
 
 void print_responses(const output::RunSummary& summary) {

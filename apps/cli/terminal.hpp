@@ -41,6 +41,10 @@ std::string signed_percent(double share);
 /// "26 %", of a share that has no sign.
 std::string size_percent(double share);
 
+/// A word of a command line as a shell reads it back: in quotes where it holds more than letters,
+/// digits and _-./+=:,@%.
+std::string shell_word(const std::string& text);
+
 /// Where the results are, and how to look at them.
 /// @param axes what `liesl plot` asks for besides, " --x speed --y mass_final"
 void print_folder(const std::string& folder, const std::string& axes = "");

@@ -103,7 +103,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"supports.*", Type::Texts, "", kOptional, kAny, "\"inertia_relief\", or nodes with their held directions, together statically determinate: \"start\" (all six), [\"start:xyz,rx\", \"end:yz\"]. Of a meshed part interfaces (x, y, z, r: all rotations) or sets of nodes, [\"pin:xyr\"], [\"x_min:x\", \"y_min:y\"]; default: its first interface."},
 
     {"cycle", Type::Table, "", kOptional, kAny, "How simulation and optimisation take turns."},
-    {"cycle.max", Type::Integer, "", "30", {1, 10000}, "Cycles at most."},
+    {"cycle.max", Type::Integer, "", "30", {1, 10000}, "Designs after the first at most; again of every finer model where the limits are refined."},
     {"cycle.tolerance", Type::Number, "-", "1e-3", {0, 1, true}, "Relative change of the loads at which the cycle is closed."},
     {"cycle.objective_tolerance", Type::Number, "-", "1e-3", {0, 1, true}, "Relative change of the objective at which the cycle is closed."},
     {"cycle.feasibility", Type::Number, "-", "1e-3", {0, 1, true}, "Allowed relative violation of a limit."},

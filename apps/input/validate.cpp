@@ -53,11 +53,11 @@ class Validator {
   void entry(toml::table& in, const std::vector<const Key*>& keys, const toml::key& name,
              toml::node& value, const std::string& path) {
     bool undecided = false;
-    const Key* known = nullptr;
+    bool known = false;
     for (const Key* key : keys) {
       if (key->leaf() == "*") return named(*key, name, value, path);
       if (key->leaf() != name.str()) continue;
-      known = key;
+      known = true;
       const Applies how = applies(kind_, *key, in);
       undecided = undecided || how == Applies::Unknown;
       if (how == Applies::Yes) return check(*key, value, join(path, name.str()));
@@ -76,16 +76,28 @@ class Validator {
       candidates = all;
     const std::string where = path.empty() ? "the file" : path;
     problems_.add(name, what + choice,
-                  fmt::format("a key of {}{}", where, known ? for_what(*known) : ""),
+                  fmt::format("a key of {}{}", where, for_what(keys, name.str())),
                   suggestion(name.str(), candidates));
   }
 
-  /// "; it is for constraints = penalty, augmented" of a key that other values of another allow.
-  static std::string for_what(const Key& key) {
-    const auto equals = key.when.find('=');
-    if (equals == std::string_view::npos) return "";
-    return fmt::format("; '{}' is for {} = {}", key.leaf(), key.when.substr(0, equals),
-                       fmt::join(words(key.when.substr(equals + 1)), ", "));
+  /// "; 'gap' is for constraints = penalty, augmented": where else than here keys of a name are
+  /// known.
+  static std::string for_what(const std::vector<const Key*>& keys, std::string_view leaf) {
+    std::vector<std::pair<std::string_view, std::vector<std::string>>> known;  // key, its values
+    for (const Key* key : keys) {
+      const auto equals = key->when.find('=');
+      if (key->leaf() != leaf || equals == std::string_view::npos) continue;
+      const std::string_view of = key->when.substr(0, equals);
+      if (known.empty() || known.back().first != of) known.push_back({of, {}});
+      for (const auto& value : words(key->when.substr(equals + 1)))
+        if (auto& all = known.back().second; std::find(all.begin(), all.end(), value) == all.end())
+          all.emplace_back(value);
+    }
+    std::string text;
+    for (const auto& [of, values] : known)
+      text += fmt::format("{}{} = {}", text.empty() ? fmt::format("; '{}' is for ", leaf) : " or ",
+                          of, fmt::join(values, ", "));
+    return text;
   }
 
   void named(const Key& key, const toml::key& name, toml::node& value, const std::string& path) {

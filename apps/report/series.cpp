@@ -168,8 +168,9 @@ Json energy_chart(const Table& table, const Lines& lines) {
   Json one = chart("energies", "J", table.columns[0]);
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     if (table.columns[c].unit == "J")
-      one["lines"].push_back(
-          line(table.columns[c].name, x, table.numbers(table.columns[c]), lines));
+      one["lines"].push_back(line(
+          table.columns[c].name + (table.columns[c].name == "dissipated" ? " (numerical)" : ""), x,
+          table.numbers(table.columns[c]), lines));
   return one;
 }
 

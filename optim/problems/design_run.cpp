@@ -50,6 +50,11 @@ DesignSimulator<G>::DesignSimulator(const Mechanism& mechanism, const Space<G>& 
       bodies_(loaded_bodies(study, mechanism)) {}
 
 template <FrameGroup G>
+std::string DesignRun<G>::instant(double t) const {
+  return statics ? fmt::format("load factor {:.6g}", t) : fmt::format("t = {:.6g} s", t);
+}
+
+template <FrameGroup G>
 DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& progress) const {
   DesignRun<G> r;
   r.mechanism = design_.apply(mechanism_, x);
@@ -144,8 +149,7 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
     r.limits[i].measure = treated_value(study_.constraints[i], times, r.limits[i].values);
   for (const auto& series : r.limits)
     if (!series.in_objective)
-      r.add({series.name, series.measure / series.limit - 1,
-             fmt::format("t = {:.6g} s", series.at_time)});
+      r.add({series.name, series.measure / series.limit - 1, r.instant(series.at_time)});
 }
 
 template <FrameGroup G>

@@ -66,7 +66,8 @@ struct DesignRun : LimitExcesses {
   }
   /// Are there equilibria, or a motion on tape, to be differentiated?
   bool differentiable() const { return statics || !tape.checkpoints.empty(); }
-  std::vector<double> times() const;  ///< of the records, s
+  std::vector<double> times() const;    ///< of the records, s
+  std::string instant(double t) const;  ///< "t = 0.1 s", of equilibria "load factor 0.1"
 };
 
 /// Simulates designs of one study. The mechanism, space and study must outlive it.

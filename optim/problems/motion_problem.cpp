@@ -31,7 +31,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
   task.loads = loads.shapes;
   task.combination = loads.e;
   task.basis = loads.basis;
-  for (const double t : loads.t) task.cases.push_back(fmt::format("t = {:.6g} s", t));
+  for (const double t : loads.t) task.cases.push_back(run.instant(t));
 
   const ResponseValues<G> values(run.mechanism, *run.model);
   State<G> s = run.model->initial_state();

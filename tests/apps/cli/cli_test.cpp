@@ -105,6 +105,19 @@ TEST_F(CliHere, NewFilesRunAndResultsAreNamedAfterThem) {
   EXPECT_NE(again.err.find("it exists"), std::string::npos) << again.err;
 }
 
+/// What is said to do next can be copied to a shell.
+TEST_F(CliHere, NextCommandsAreQuotedWhereTheyHaveTo) {
+  const auto next = [this](const char* file) {
+    const std::string text = run({"new", "scene", "--like", "pendulum", "-o", file}).out;
+    return text.substr(text.find("next: "));
+  };
+  EXPECT_EQ(next("it's one.toml"), "next: liesl run 'it'\\''s one.toml'\n");
+  EXPECT_EQ(next("p_2.toml"), "next: liesl run p_2.toml\n");
+  const Outcome ran = run({"run", "p_2.toml", "-o", "my run", "--set", "simulation.duration=0.01"});
+  EXPECT_NE(ran.out.find("look at my run/report.html, or: liesl plot 'my run'\n"), ran.out.npos)
+      << ran.out;
+}
+
 TEST_F(CliHere, NewFilesNameTheSchemaOfTheProgram) {
   EXPECT_EQ(run({"new", "study", "--like", "slider_crank_rod"}).code, 0);
   for (const char* name : {"slider_crank_rod", "slider_crank"}) {

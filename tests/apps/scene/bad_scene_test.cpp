@@ -101,6 +101,7 @@ const BadScene kScenes[] = {
     {"NoSuchUpdate", "step = 1e-3", "step = 1e-3\nformalism = \"classical\"\nupdate = @\"r3so3\"", {"'simulation.update'", "classical"}},
     {"UpdateInStatics", "step = 1e-3", "step = 1e-3\ntype = \"static\"\nupdate = @\"r3so3\"", {"'simulation.update' is for motions only", "simulation.type = \"dynamic\""}},
     {"NoBeam", "over = \"rod\"", "over = @\"slider\"", {"'slider' is rigid", "a beam"}},
+    {"KeyOfOtherResponses", "response = \"deflection\", of = \"crank\"", "response = \"energy\", @at = \"mid\"", {"'at' is for response = position,", "displacement", "deflection, section_force"}},
     {"MidOfOddBeam", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"rod\", at = @\"mid\"", {"5 elements", "even number"}},
     {"NoNode", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"crank\", at = @\"node9\"", {"no node 'node9'", "node3"}},
     {"PortMidOfOddBeam", "{ at = \"slider.tip\"", "{ at = @\"rod.mid\"", {"'mid'", "even number of elements"}},

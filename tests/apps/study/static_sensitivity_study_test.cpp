@@ -85,6 +85,7 @@ TEST(StaticSensitivity, GradientsAreThoseOfTheEquilibria) {
   const VectorXd x = simulator.design().start();
   const auto run = simulator.run(x);
   ASSERT_TRUE(run.good()) << run.simulation.report.reason;
+  EXPECT_EQ(run.worst_at, "load factor 1");
   std::vector<LimitedResponse> limited;
   for (std::size_t c = 0; c < study.constraints.size(); ++c)
     limited.push_back({static_cast<int>(c), study.constraints[c].response, 0, 0});
