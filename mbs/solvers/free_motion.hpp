@@ -10,8 +10,9 @@
 namespace liesl {
 
 /// Basis of the nodal increments x with B x = 0 and no stiffness, |x^T K x| < 1e-14 of the largest
-/// stiffness, orthonormal with rotations times model.length; n x (number of free motions, at most
-/// 8). Costs one factorisation and some solves.
+/// stiffness of each body, orthonormal with rotations times model.length; n x (number of free
+/// motions, at most 8). No unit matters, of length, force or amplitudes: each of those is set
+/// against its own stiffness. Costs one factorisation and some solves.
 /// @param A the tangent [K B^T; B 0] at some state
 template <FrameGroup G>
 Eigen::MatrixXd free_motions(const Model<G>& model, const Eigen::SparseMatrix<double>& A);
