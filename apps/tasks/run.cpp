@@ -7,6 +7,7 @@
 
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/collect_reference.hpp"
+#include "apps/tasks/mode_values.hpp"
 #include "apps/tasks/motion_notes.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
@@ -62,6 +63,13 @@ LargestMove largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
   return largest;
 }
 
+/// The shapes in the sizes in which they are shown.
+template <FrameGroup G>
+Eigen::MatrixXd shown_shapes(const Model<G>& model, Eigen::MatrixXd shapes) {
+  for (auto shape : shapes.colwise()) shape *= largest_move<G>(model, shape).size(model.length);
+  return shapes;
+}
+
 /// Warns of meshed parts whose own modes are too few for the frequencies of the scene.
 void warn_beyond_parts(output::RunSummary& summary, double highest) {
   if (summary.more.contains("parts"))
@@ -93,15 +101,16 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
   describe_parts(out.summary, scene.mechanism, model, Trajectory<G>(), false);
   warn_beyond_parts(out.summary, modes.frequency.empty() ? 0 : modes.frequency.back());
   Trajectory<G> shapes;
+  const Eigen::MatrixXd shown = shown_shapes(model, modes.shapes);
   for (size_t m = 0; m < modes.frequency.size(); ++m) {
     State<G> s = modes.equilibrium;
-    const Eigen::VectorXd shape = modes.shapes.col(static_cast<int>(m));
-    move(model, shape, largest_move(model, shape).size(model.length), s);
+    move<G>(model, shown.col(static_cast<int>(m)), 1, s);
     s.t = modes.frequency[m];
     s.lambda.setZero();
     shapes.record(s);
   }
   out.results = collect(scene, scene.mechanism, model, shapes);
+  set_mode_values(scene, model, rest, shown, out.results);
   add_reference(scene.mechanism, model, modes.equilibrium, out.results);
   out.results.abscissa = "frequency";
   out.results.abscissa_unit = "Hz";

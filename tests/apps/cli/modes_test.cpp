@@ -85,6 +85,53 @@ modes = 4
   expect_shapes(results(), f);
 }
 
+/// A cantilever's modes in z, y and z: the forces of a small vibration, not those of the finite
+/// shape that is drawn, which stretches the beam.
+TEST_F(Modes, ResponsesAreLinearInTheShape) {
+  const fs::path file = write("beam.toml", R"toml(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[sections]
+flat = { type = "rectangle", width = 0.02, height = 0.01 }
+[bodies]
+b = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "flat", material = "steel", elements = 48 } }
+[joints]
+clamp = { fixed = ["ground", "b.start"] }
+[simulation]
+type = "modes"
+modes = 3
+[responses]
+tip = { response = "displacement", at = "b.end" }
+N = { response = "section_force", of = "b", component = "N", element = 20 }
+M = { response = "section_force", of = "b", component = "My", element = 0 }
+stress = { response = "stress", of = "b" }
+twice_the_energy = { response = "compliance", of = "b" }
+)toml");
+  const Outcome o = run({"run", file, "-o", results()});
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto of = [&](const std::string& name) {
+    return read_set(results() / "results.h5", "/responses/" + name).values;
+  };
+  const auto tip = of("tip"), N = of("N"), M = of("M"), stress = of("stress"),
+             energy = of("twice_the_energy");
+  ASSERT_EQ(tip.size(), 9u);
+  const double EA = 210e9 * 2e-4, EI = EA * 1e-4 / 12;
+  for (const std::size_t m : {0, 2}) {
+    SCOPED_TRACE(m);
+    const double k = kRoots[m], z = tip[3 * m + 2];
+    const double moment = EI * 2 * k * k * std::abs(z / bending(k, 1));  // at the clamp
+    EXPECT_GT(std::abs(z), 0.01);
+    EXPECT_NEAR(tip[3 * m] / z, 0, 1e-8);
+    EXPECT_NEAR(N[m], 0, 1e-9 * EA);
+    EXPECT_NEAR(std::abs(M[m]) / moment, 1, 0.03);
+    EXPECT_NEAR(stress[m] / (moment * 0.005 / (EI / 210e9)), 1, 0.03);
+    // int w''^2 = k^4 int w^2 = k^4 w(1)^2 / 4
+    EXPECT_NEAR(energy[m] / (EI * std::pow(k, 4) * z * z / 4), 1, 0.02);
+  }
+  EXPECT_NEAR(M[1], 0, 1e-6 * std::abs(M[0])) << "it bends in y";
+  EXPECT_GT(stress[1], 0);
+}
+
 /// An inverted pendulum on a weak spring: omega^2 < 0 is said where the frequency stands.
 TEST_F(Modes, SaysWhatIsUnstable) {
   const fs::path file = write("inverted.toml", R"toml(
