@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "apps/output/enlarged.hpp"
 #include "apps/output/file.hpp"
 
 namespace liesl::output {
@@ -105,21 +106,29 @@ void write_joints_csv(const std::filesystem::path& path, const Results& results)
 
 void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants) {
   check_shapes(results);
-  std::string out =
-      heading(results.abscissa, results.abscissa_unit) + ",body,kind,node,x [m],y [m],z [m]\n";
-  const auto put = [&](const std::string& at, const BodyResult& body, const double* x) {
-    for (int k = 0; k < body.nodes; ++k, x += 3)
-      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", at, field(body.name),
-                     field(body.kind), k, x[0], x[1], x[2]);
+  std::string out = heading(results.abscissa, results.abscissa_unit) +
+                    ",body,kind,node,x [m],y [m],z [m],"
+                    "bending x [m],bending y [m],bending z [m]\n";
+  const auto put = [&](const std::string& at, const BodyResult& body, int k, const double* x,
+                       const Eigen::Vector3d& bending) {
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{:.7g},{:.7g},{:.7g}\n", at,
+                   field(body.name), field(body.kind), k, x[0], x[1], x[2], bending[0], bending[1],
+                   bending[2]);
   };
   if (results.abscissa == "frequency")
     for (const auto& body : results.bodies)
-      if (!body.reference_positions.empty()) put(kAtRest, body, body.reference_positions.data());
+      for (int k = 0; k < body.nodes && !body.reference_positions.empty(); ++k)
+        put(kAtRest, body, k, &body.reference_positions[3 * static_cast<std::size_t>(k)],
+            Eigen::Vector3d::Zero());
   for (const int i : frame_records(results, instants))
-    for (const auto& body : results.bodies)
-      if (!body.positions.empty())
-        put(fmt::format("{}", results.times[i]), body,
-            body.positions.data() + 3 * results.row(i) * static_cast<std::size_t>(body.nodes));
+    for (const auto& body : results.bodies) {
+      if (body.positions.empty()) continue;
+      const Enlarged bending(results, body, results.row(i));
+      const double* x =
+          body.positions.data() + 3 * results.row(i) * static_cast<std::size_t>(body.nodes);
+      for (int k = 0; k < body.nodes; ++k)
+        put(fmt::format("{}", results.times[i]), body, k, x + 3 * k, bending.at(k));
+    }
   write_file(path, out);
 }
 

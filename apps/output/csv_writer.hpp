@@ -28,7 +28,8 @@ void write_energies_csv(const std::filesystem::path& path, const Results& result
 void write_joints_csv(const std::filesystem::path& path, const Results& results);
 
 /// Positions of all nodes at `instants` records, evenly spread, and where responses are largest:
-/// `<abscissa>, body, kind, node, x [m], y [m], z [m]`; of modes first where they are at rest.
+/// `<abscissa>, body, kind, node, x [m], y [m], z [m], bending x [m], bending y [m], bending z
+/// [m]`, the latter what is drawn larger (enlarged.hpp); of modes first where they are at rest.
 void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants = 13);
 
 /// Places of bodies of one node along the motion, at most 200: `<abscissa>, body, x [m], y [m],

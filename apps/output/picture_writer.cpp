@@ -10,6 +10,7 @@
 
 #include "apps/output/csv_writer.hpp"
 #include "apps/output/cut_mesh.hpp"
+#include "apps/output/enlarged.hpp"
 #include "apps/output/file.hpp"
 #include "liegroup/smallest_rotation.hpp"
 
@@ -20,15 +21,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 const double kSharp = std::cos(30 * M_PI / 180);  // of the angle between two normals
-
-Vector3d vector_at(const std::vector<double>& block, std::size_t i) {
-  return Vector3d::Map(&block[3 * i]);
-}
-
-/// Axes of a node by columns; matrices are stored by rows.
-Matrix3d axes_at(const std::vector<double>& block, std::size_t i) {
-  return Eigen::Matrix<double, 3, 3, Eigen::RowMajor>::Map(&block[9 * i]);
-}
 
 /// Extent of a section along a direction (d_y, d_z) of its plane; 0 if it has no shape.
 double extent(const std::string& shape, const double* dimensions, double dy, double dz) {
@@ -82,7 +74,7 @@ std::vector<std::vector<std::uint32_t>> sharp_edges(const CutMesh& mesh,
   return lines;
 }
 
-/// A row of part_lines.csv. @param bending what of the place is deformation
+/// A row of part_lines.csv. @param bending what of the place is drawn larger
 void put_point(std::string& text, const std::string& start, const std::string& name,
                std::size_t line, const Vector3d& x, const Vector3d& bending) {
   fmt::format_to(std::back_inserter(text), "{},{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n",
@@ -102,11 +94,11 @@ class PartLines {
     lines_ = mesh.dim() == 2 ? closed_sides(cut_) : sharp_edges(cut_, rest);
   }
 
-  /// @param row where the series of bodies hold the record
+  /// @param row where the series of bodies hold the record  @param from_rest see enlarged.hpp
   void put(std::string& text, const std::string& start, const std::string& name, std::size_t record,
-           std::size_t row) const {
+           std::size_t row, bool from_rest) const {
     const std::vector<Vector3d> x = at(record, row), rest = places(mesh_.reference);
-    const Chord chord = chord_at(row);
+    const Chord chord = from_rest && !body_.reference_positions.empty() ? at_rest() : chord_at(row);
     for (std::size_t l = 0; l < lines_.size(); ++l)
       for (const std::uint32_t v : lines_[l])
         put_point(text, start, name, l, x[v], x[v] - chord.carry(rest[v]));
@@ -114,11 +106,9 @@ class PartLines {
 
   void put_at_rest(std::string& text, const std::string& start, const std::string& name) const {
     const std::vector<Vector3d> rest = places(mesh_.reference);
-    const Vector3d x0 = vector_at(body_.reference_positions, 0);
-    const Matrix3d R0 = axes_at(body_.reference_rotations, 0);
     for (std::size_t l = 0; l < lines_.size(); ++l)
       for (const std::uint32_t v : lines_[l])
-        put_point(text, start, name, l, x0 + R0 * rest[v], Vector3d::Zero());
+        put_point(text, start, name, l, at_rest().carry(rest[v]), Vector3d::Zero());
   }
 
  private:
@@ -138,6 +128,11 @@ class PartLines {
     for (std::size_t i = 0; 3 * i < mesh_.interfaces.size(); ++i)
       if (vector_at(mesh_.interfaces, i).norm() > vector_at(mesh_.interfaces, far).norm()) far = i;
     return far;
+  }
+
+  Chord at_rest() const {
+    return {vector_at(body_.reference_positions, 0), Vector3d::Zero(), Vector3d::Zero(),
+            axes_at(body_.reference_rotations, 0)};
   }
 
   Chord chord_at(std::size_t row) const {
@@ -227,58 +222,37 @@ std::vector<Vector3d> arms_of(const BodyResult& body, const std::vector<JointRes
   return arms;
 }
 
+/// A place on a node of a body, and what of it is drawn larger.
+void put_place(std::string& text, const std::string& start, const std::string& name,
+               std::size_t line, const BodyResult& body, std::size_t row, int node,
+               const Vector3d& place, const Enlarged& bending) {
+  const std::size_t at =
+      row * static_cast<std::size_t>(body.nodes) + static_cast<std::size_t>(node);
+  put_point(text, start, field(name), line,
+            vector_at(body.positions, at) + axes_at(body.rotations, at) * place,
+            bending.at(node, place));
+}
+
 /// @param row where the series of bodies hold the record
-void put_rigid(std::string& text, const std::string& start, const BodyResult& body,
-               const std::vector<Vector3d>& arms, std::size_t row) {
-  const Matrix3d R = axes_at(body.rotations, row);
-  const Vector3d origin = vector_at(body.positions, row);
+void put_rigid(std::string& text, const std::string& start, const Results& results,
+               const BodyResult& body, const std::vector<Vector3d>& arms, std::size_t row) {
+  const Enlarged bending(results, body, row);
   for (std::size_t l = 0; l < arms.size(); ++l)
     for (const Vector3d& end : {vector_at(body.points, 0), arms[l]})
-      put_point(text, start, field(body.name), l, origin + R * end, Vector3d::Zero());
-}
-
-/// Offset of a node from the chord of its beam.
-/// @param x places of the nodes from `first` on
-Vector3d off_chord(const BodyResult& body, const std::vector<double>& x, std::size_t first,
-                   std::size_t node) {
-  const Vector3d a = vector_at(x, first), p = vector_at(x, first + node) - a,
-                 chord = vector_at(x, first + static_cast<std::size_t>(body.nodes) - 1) - a;
-  const double square = chord.squaredNorm();
-  return square > 0 ? Vector3d(p - p.dot(chord) / square * chord) : Vector3d::Zero();
-}
-
-/// A beam whose offsets from its chord are bending alone; as `straight_at_rest` of
-/// apps/plot/mechanism.py has it.
-bool straight_at_rest(const BodyResult& body) {
-  if (body.elements.empty() || body.reference_positions.empty()) return false;
-  double largest = 0, length = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(body.nodes); ++k) {
-    largest = std::max(largest, off_chord(body, body.reference_positions, 0, k).norm());
-    length =
-        (vector_at(body.reference_positions, k) - vector_at(body.reference_positions, 0)).norm();
-  }
-  return largest <= 1e-6 * length;
+      put_place(text, start, body.name, l, body, row, 0, end, bending);
 }
 
 /// A joint that is a body without mass, from port to port.
-void put_link(std::string& text, const std::string& start, const JointResult& joint,
-              const std::vector<BodyResult>& bodies, std::size_t row) {
+void put_link(std::string& text, const std::string& start, const Results& results,
+              const JointResult& joint, std::size_t row) {
   for (std::size_t end = 0; end < 2; ++end) {
     const Vector3d place = vector_at(joint.places, end);
-    const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const BodyResult& b) {
-      return b.name == joint.bodies[end];
-    });
-    if (body == bodies.end()) {  // the ground
+    const auto body = std::ranges::find(results.bodies, joint.bodies[end], &BodyResult::name);
+    if (body == results.bodies.end())  // the ground
       put_point(text, start, field(joint.name), 0, place, Vector3d::Zero());
-      continue;
-    }
-    const auto node = static_cast<std::size_t>(joint.nodes[end]),
-               first = row * static_cast<std::size_t>(body->nodes);
-    const Vector3d x =
-        vector_at(body->positions, first + node) + axes_at(body->rotations, first + node) * place;
-    put_point(text, start, field(joint.name), 0, x,
-              straight_at_rest(*body) ? off_chord(*body, body->positions, first, node)
-                                      : Vector3d(Vector3d::Zero()));
+    else
+      put_place(text, start, joint.name, 0, *body, row, joint.nodes[end], place,
+                Enlarged(results, *body, row));
   }
 }
 
@@ -314,17 +288,17 @@ void write_part_lines_csv(const std::filesystem::path& path, const Results& resu
       lines.put_at_rest(text, kAtRest, field(mesh.name));
     for (const int record : pictured(results))
       lines.put(text, fmt::format("{}", results.times[std::size_t(record)]), field(mesh.name),
-                std::size_t(record), results.row(record));
+                std::size_t(record), results.row(record), from_rest(results));
   }
   for (const BodyResult& body : results.bodies)
     if (body.kind == "rigid" && body.nodes == 1 && !body.points.empty())
       for (const int record : pictured(results))
-        put_rigid(text, fmt::format("{}", results.times[std::size_t(record)]), body,
+        put_rigid(text, fmt::format("{}", results.times[std::size_t(record)]), results, body,
                   arms_of(body, results.joints), results.row(record));
   for (const JointResult& joint : results.joints)
     if ((joint.type == "rod" || joint.type == "cylinder") && joint.places.size() == 6)
       for (const int record : pictured(results))
-        put_link(text, fmt::format("{}", results.times[std::size_t(record)]), joint, results.bodies,
+        put_link(text, fmt::format("{}", results.times[std::size_t(record)]), results, joint,
                  results.row(record));
   if (text.size() > head) write_file(path, text);
 }

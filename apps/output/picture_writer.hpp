@@ -20,8 +20,9 @@ void write_sections_csv(const std::filesystem::path& path, const Results& result
 /// rigid body from its centre of mass to its points and joints; of a planar part its
 /// outline, material on the left, of a part in space the edges where its surface turns by more than
 /// 30 degrees: `<abscissa>, body, line, x [m], y [m], z [m], bending x [m], bending y [m], bending
-/// z [m]`, the latter what of a place is deformation about the chord, the line from the first
-/// interface to the farthest; of modes meshed parts at rest, too. Rods and cylinders, joints
+/// z [m]`, the latter what of a place is drawn larger: in statics and of modes its displacement
+/// from rest, of a motion the deformation about the chord, the line from the first interface to the
+/// farthest, or the ends of a beam; of modes meshed parts at rest, too. Rods and cylinders, joints
 /// without mass, are a line from port to port. No file without such lines.
 void write_part_lines_csv(const std::filesystem::path& path, const Results& results);
 

@@ -25,24 +25,29 @@ SPACE_SIDE, MODE_SIDE = 7.5, 3.6  # inches: squares of axes in space
 REST = "#8c8c8c"
 LINK = (0, (6, 1.5))
 IN_PLANE = 0.1  # bending out of a plane, of that in it, that a picture of the plane may leave out
-PART_COLUMNS = 9  # of part_lines.csv
+FRAME_COLUMNS, PART_COLUMNS = 10, 9  # of frames.csv, part_lines.csv
 ROUND = 1e-4  # difference of thicknesses, of the largest, of what is round
-STRAIGHT = 1e-6  # offset from the chord, of its length, of what is straight at rest
 
 
 def read_frames(path):
-    """[(time, {body: (kind, [(x, y, z), ...])})] in order of time, and the abscissa's label."""
+    """[(time, {body: (kind, [(x, y, z, bending along x, y, z), ...])})] in order of time, and the abscissa's label."""
     frames = Table(path)
-    frames.check_numbers([frames.names[0], *frames.names[3:7]])
+    check_version(path, frames, FRAME_COLUMNS)
+    frames.check_numbers([frames.names[0], *frames.names[3:]])
     instants = {}
     for time, body, kind, node, *x in frames.rows:
         bodies = instants.setdefault(float(time), {})
-        bodies.setdefault(body, (kind, {}))[1][int(node)] = tuple(map(float, x[:3]))
+        bodies.setdefault(body, (kind, {}))[1][int(node)] = tuple(map(float, x))
     check_whole(path, instants)
     ordered = [(t, {b: (kind, [nodes[k] for k in sorted(nodes)])
                     for b, (kind, nodes) in bodies.items()})
                for t, bodies in instants.items()]
     return ordered, label(frames.names[0], frames.units[0])
+
+
+def check_version(path, found, columns):
+    if len(found.names) != columns:
+        raise NothingToDraw(f"{path} is of another version; run it again")
 
 
 def check_whole(path, instants):
@@ -71,9 +76,8 @@ def read_part_lines(folder):
     """{(time, body): [line, ...]}, each a list of points (x, y, z, bending along x, y, z)."""
     path = folder / "part_lines.csv"
     found = table(folder, path.name)
-    if found and len(found.names) != PART_COLUMNS:
-        raise NothingToDraw(f"{path} is of another version; run it again")
     if found:
+        check_version(path, found, PART_COLUMNS)
         found.check_numbers([found.names[0], *found.names[3:]])
     parts = {}
     for time, body, line, *x in found.rows if found else []:
@@ -93,10 +97,20 @@ def read_paths(folder):
     return paths
 
 
-def scaled_parts(parts, scale):
-    """The same with the bending drawn larger: lists of points (x, y, z)."""
-    return {key: [[tuple(x + (scale - 1) * b for x, b in zip(point[:3], point[3:])) for point in line]
-                  for line in lines] for key, lines in parts.items()}
+def enlarged(points, scale):
+    """Points (x, y, z, bending along x, y, z) with the bending drawn larger."""
+    return [tuple(x + (scale - 1) * b for x, b in zip(point[:3], point[3:])) + tuple(scale * b for b in point[3:]) for point in points]
+
+
+def enlarge(instants, shapes, abscissa):
+    """Instants and shapes with the bending drawn larger, and what a heading says of it; "" where all is as it is."""
+    scale = bending_scale(instants, shapes.parts)
+    if scale == 1:
+        return instants, shapes, ""
+    motion = abscissa.startswith("time")  # else bending is all of the displacement, and paths are of places without it
+    drawn = [(t, {b: (kind, enlarged(nodes, scale)) for b, (kind, nodes) in bodies.items()}) for t, bodies in instants]
+    parts = {key: [enlarged(line, scale) for line in lines] for key, lines in shapes.parts.items()}
+    return drawn, Shapes(shapes.sections, parts, shapes.paths if motion else {}), f"{'bending' if motion else 'displacement'} × {scale:g}"
 
 
 def read_shapes(folder, instants):
@@ -119,16 +133,15 @@ def draw_mechanism(folder, pictures, summary):
     if abscissa.startswith("frequency"):
         draw_modes(pictures, instants, shapes, summary.get("frequencies_hz", []))
         return
+    instants, shapes, larger = enlarge(instants, shapes, abscissa)
     axes = shown_axes(instants, shapes)
-    scale = bending_scale(instants, shapes.parts)
-    shapes.parts = scaled_parts(shapes.parts, scale)
     shown = few(instants, peak_of(summary))
     heading = "mechanism" if len(shown) == 1 else f"mechanism: {len(shown)} instants"
-    heading += f", bending × {scale:g}" if scale != 1 else ""
+    heading += larger and f", {larger}"
     if len(axes) == 3:
         drawn = everything(instants, shapes)
         figure, (ax,) = space_panels(1, 1, SPACE_SIDE, lambda ax: frame_axes(ax, axes, drawn))
-        marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
+        marks = mechanism(ax, instants, shown, axes, abscissa, shapes)
         frame_axes(ax, axes, drawn)
         beside = figure.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.0, 0.94), borderaxespad=0)
         pictures.save(figure, "mechanism", heading, whole_box(figure, beside))
@@ -136,7 +149,7 @@ def draw_mechanism(folder, pictures, summary):
     figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
     ax = figure.add_subplot()
     ax.set_anchor("N")  # below the heading; what stays free is cut off
-    marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
+    marks = mechanism(ax, instants, shown, axes, abscissa, shapes)
     ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
     pictures.save(figure, "mechanism", heading)
 
@@ -156,7 +169,6 @@ def draw_modes(pictures, instants, shapes, frequencies):
     instants = instants[rest is not None:]
     if not instants:
         return
-    shapes.parts = scaled_parts(shapes.parts, 1)
     titles = []
     for number, (frequency, _) in enumerate(instants, 1):
         number = frequencies.index(frequency) + 1 if frequency in frequencies else number
@@ -171,7 +183,7 @@ def draw_modes(pictures, instants, shapes, frequencies):
 
     figure, panels = mode_panels(axes, titles, frame)
     for ax, instant in zip(panels, instants):
-        marks = mechanism(ax, [instant], [instant], axes, 1, "", shapes)[1:]  # it is named by its heading
+        marks = mechanism(ax, [instant], [instant], axes, "", shapes)[1:]  # it is named by its heading
         if rest:
             marks = draw_rest(ax, axes, rest, shapes) + marks
         frame(ax)
@@ -233,56 +245,29 @@ def shown_axes(instants, shapes, modes=False):
     """Two axes for what lies in a coordinate plane, or moves and bends in one; else all three."""
     spans = spans_of(everything(instants, shapes))
     if not modes and any(len(nodes) > 1 for _, bodies in instants for _, nodes in bodies.values()):
-        of_nodes = spans_of([x for _, bodies in instants for _, nodes in bodies.values() for x in nodes])
-        bending = [max((abs(x[3 + k]) for lines in shapes.parts.values() for line in lines for x in line), default=0) for k in range(3)]
+        nodes = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+        of_nodes = spans_of(nodes)
+        bent = nodes + [x for lines in shapes.parts.values() for line in lines for x in line]
+        bending = [max(abs(x[3 + k]) for x in bent) for k in range(3)]
         spans = [0 if of_nodes[k] <= 1e-6 * max(of_nodes) and bending[k] <= IN_PLANE * max(bending) else spans[k] for k in range(3)]
-    flat = [k for k in range(3) if spans[k] <= 1e-6 * max(spans)]
-    return [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
+    least = min((2, 1, 0), key=lambda k: spans[k])  # of what hardly bends, two are small
+    return [k for k in range(3) if k != least] if spans[least] <= 1e-6 * max(spans) else [0, 1, 2]
 
 
 def spans_of(points):
     return [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
 
 
-def offsets(nodes):
-    """Of each node the place on the chord that is nearest, and the offset from there."""
-    first, chord = nodes[0], [b - a for a, b in zip(nodes[0], nodes[-1])]
-    square = sum(c * c for c in chord)
-    out = []
-    for x in nodes:
-        along = sum((a - b) * c for a, b, c in zip(x, first, chord)) / square if square > 0 else 0
-        foot = [b + along * c for b, c in zip(first, chord)]
-        out.append((foot, [a - b for a, b in zip(x, foot)]))
-    return out
-
-
-def largest_offset(nodes):
-    return max(math.hypot(*offset) for _, offset in offsets(nodes))
-
-
-def straight_at_rest(instants):
-    """Names of the bodies that are straight where the motion begins: their offsets from the chord are
-    bending alone."""
-    return {body for body, (_, nodes) in instants[0][1].items()
-            if len(nodes) > 2 and largest_offset(nodes) <= STRAIGHT * math.dist(nodes[0], nodes[-1])}
-
-
 def bending_scale(instants, parts=None):
     """1, 2, 5, 10, ...: the largest that leaves all bending below VISIBLE of the mechanism."""
-    straight = straight_at_rest(instants)
-    largest = max((largest_offset(nodes) for _, bodies in instants
-                   for body, (_, nodes) in bodies.items() if body in straight), default=0)
-    largest = max([largest] + [math.hypot(*x[3:]) for lines in (parts or {}).values() for line in lines for x in line])
     points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
     size = math.dist(*extremes(points))
+    bent = points + [x for lines in (parts or {}).values() for line in lines for x in line]
+    largest = max(math.hypot(*x[3:]) for x in bent)
     if largest <= 1e-9 * size:
         return 1
     room = VISIBLE * size / largest
     return max([1] + [m * 10 ** e for e in range(6) for m in (1, 2, 5) if m * 10 ** e <= room])
-
-
-def bent(nodes, scale):
-    return [[f + scale * o for f, o in zip(foot, offset)] for foot, offset in offsets(nodes)]
 
 
 class Shapes:
@@ -402,9 +387,8 @@ def fill_lines(ax, axes, lines, colour):
         ax.plot(*[[x[k] for x in line] for k in axes], color=colour, linewidth=0.9)
 
 
-def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
+def mechanism(ax, instants, shown, axes, abscissa, shapes):
     """Bodies at the instants that are shown; rigid bodies with their paths. Marks for a legend."""
-    straight = straight_at_rest(instants)
     columns = lambda nodes: [[x[k] for x in nodes] for k in axes]  # noqa: E731
     marks, drawn = [], []
     for body, (_, nodes) in instants[0][1].items():
@@ -418,7 +402,7 @@ def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
     lines_of_beams = False
     for (time, bodies), colour in zip(shown, COLOURS[-len(shown):]):
         for body, (kind, nodes) in bodies.items():
-            at = bent(nodes, scale) if body in straight else nodes
+            at = [x[:3] for x in nodes]
             drawn += at
             shaped = shapes.draw(ax, axes, time, body, kind, at, colour, size, last=time == shown[-1][0])
             lines_of_beams = lines_of_beams or not shaped and len(nodes) > 1
@@ -426,7 +410,7 @@ def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
                 ax.plot(*columns(at), color=colour, linewidth=2.6, solid_capstyle="round",
                         marker="s" if len(nodes) == 1 else None, markersize=6)
             if len(nodes) > 1:  # where joints are
-                ax.plot(*columns([nodes[0], nodes[-1]]), color=colour, linestyle="none",
+                ax.plot(*columns([at[0], at[-1]]), color=colour, linestyle="none",
                         marker="o", markersize=4, markerfacecolor="white")
         shapes.draw_links(ax, axes, time, bodies, colour)
         name, unit = abscissa.rstrip("]").partition(" [")[::2]

@@ -6,7 +6,7 @@ import re
 import matplotlib.pyplot as plt
 from matplotlib.ticker import MaxNLocator
 
-from mechanism import bending_scale, few, mechanism, peak_of, read_frames, read_shapes, scaled_parts, shown_axes
+from mechanism import enlarge, few, mechanism, peak_of, read_frames, read_shapes, shown_axes
 from motion import before_after, grouped_columns, limit_tables
 from style import BLUE, GREEN, GREY, LIMIT, ORANGE, RED, label, legend, scale_of, scaled, stacked
 from tables import table
@@ -125,18 +125,17 @@ def draw_overview(folder, pictures, summary):
     groups, constraints = grouped_columns(after), summary.get("constraints", {})
     names = {stem: f"{stem} ({scenario})" if scenario else stem for stem in groups}
     stems = [stem for stem in groups if names[stem] in constraints]
-    shapes = read_shapes(folder, instants)
-    if not instants or not stems or len(shown_axes(instants, shapes)) == 3:
+    if not instants or not stems:
+        return
+    instants, shapes, larger = enlarge(instants, read_shapes(folder, instants), time_label)
+    if len(shown_axes(instants, shapes)) == 3:
         return
     figure = plt.figure(figsize=(11, 4.6), layout="constrained")
     grid = figure.add_gridspec(2, 2, width_ratios=(1.15, 1))
     ax = figure.add_subplot(grid[:, 0])
-    scale = bending_scale(instants, shapes.parts)
-    shapes.parts = scaled_parts(shapes.parts, scale)
-    marks = mechanism(ax, instants, few(instants, peak_of(summary)), shown_axes(instants, shapes), scale, time_label, shapes)
+    marks = mechanism(ax, instants, few(instants, peak_of(summary)), shown_axes(instants, shapes), time_label, shapes)
     ax.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3)
-    if scale != 1:
-        ax.set_title(f"bending × {scale:g}")
+    ax.set_title(larger)
     ax = figure.add_subplot(grid[0, 1])
     name = names[stems[0]]
     before_after(ax, before, after, name, groups[stems[0]], constraints[name])

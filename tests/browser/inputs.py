@@ -74,3 +74,22 @@ duration = 0.04
 step = 5e-4
 rho_inf = 0.8
 """
+
+# A bar and a plate, clamped on the left, that sink under their loads: on the bar hangs a rigid body.
+CANTILEVER = """name = "cantilever"
+gravity = [0, 0, 0]
+[materials]
+alu = { E = 70e9, nu = 0.33, rho = 2700 }
+[sections]
+bar = { type = "rectangle", width = 0.02, height = 0.01 }
+[bodies]
+bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "bar", material = "alu", elements = 8 } }
+load = { rigid = { at = [1, 0, 0], mass = 1, inertia = [1e-3, 1e-3, 1e-3] } }
+[joints]
+wall = { fixed = ["ground", "bar.start"] }
+tip = { fixed = ["bar.end", "load.origin"] }
+[loads]
+down = { at = "load.origin", force = [0, -1, 0] }
+[simulation]
+type = "static"
+"""

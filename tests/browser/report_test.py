@@ -21,7 +21,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 from driver import programs  # noqa: E402
-from inputs import BATCH, BRANCHES, COMPARE  # noqa: E402
+from inputs import BATCH, BRANCHES, CANTILEVER, COMPARE  # noqa: E402
 from pages import DATA, FOLDER, HASH, MARGIN, PROGRAM, PageTest, folder_of, liesl, rod  # noqa: E402
 
 SUPERSCRIPTS = str.maketrans("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b", "0123456789-")
@@ -57,6 +57,12 @@ const d = x.getImageData(0, 0, n.width, n.height).data; let coloured = 0;
 for (let i = 0; i < d.length; i += 4)
   if (Math.max(d[i], d[i + 1], d[i + 2]) - Math.min(d[i], d[i + 1], d[i + 2]) > 60) ++coloured;
 return coloured;"""
+
+# Mean height of what is coloured in ten strips from left to right, pixels downwards.
+HEIGHTS = SATURATED.replace("let coloured = 0", "const all = []").replace("++coloured", "all.push([(i / 4) % n.width, Math.floor(i / 4 / n.width)])").replace(
+    "return coloured", """const xs = all.map((p) => p[0]), low = Math.min(...xs), wide = Math.max(...xs) - low;
+return [...Array(10).keys()].map((s) => all.filter((p) => Math.min(9, Math.floor(10 * (p[0] - low) / wide)) === s).map((p) => p[1]))
+  .map((ys) => ys.reduce((a, b) => a + b, 0) / ys.length)""")
 
 
 class Pages(PageTest):
@@ -236,6 +242,19 @@ class Pages(PageTest):
         if os.environ.get("LIESL_PICTURES"):
             self.slide("scale", 1.3)
             self.browser.picture(Path(os.environ["LIESL_PICTURES"]) / "branches_bent.png")
+
+    def test_statics_sink_from_rest(self):
+        file = FOLDER / "cantilever.toml"
+        file.write_text(CANTILEVER)
+        self.show(folder_of("cantilever_bar", "run", str(file)))
+        self.slide("colour", "displacement")
+        self.picture()
+        heights = self.browser.run(HEIGHTS)[2:]  # without wall and foot
+        self.assertEqual(heights, sorted(heights))
+        self.assertGreater(heights[-1], heights[0] + 20)
+        self.assertIn("displacement", self.browser.run("return document.querySelector('label[for=scale]').textContent"))
+        opening = self.browser.run("return document.querySelector('.stage canvas').openings().tip")
+        self.assertLess(opening, 1e-5)
 
     def test_cycles_show_design_and_figures(self):
         self.show(rod())

@@ -25,6 +25,14 @@ def write_csv(path, header, rows):
         csv.writer(file, lineterminator="\n").writerows([header, *rows])
 
 
+PLACE = ["x [m]", "y [m]", "z [m]", "bending x [m]", "bending y [m]", "bending z [m]"]
+
+
+def write_frames(folder, abscissa, rows):
+    """@param rows with or without bending"""
+    write_csv(folder / "frames.csv", [abscissa, "body", "kind", "node", *PLACE], [row + [0] * (10 - len(row)) for row in rows])
+
+
 def times(n=400, end=0.12):
     return [end * i / (n - 1) for i in range(n)]
 
@@ -42,11 +50,10 @@ def write_slider_crank_frames(folder, crank=0.15, rod=0.3):
             s = k / 8
             bow = 0.004 * math.sin(math.pi * s) * math.sin(a)
             rows.append([t, "rod", "beam", k, pin[0] + s * (slider - pin[0]),
-                         (1 - s) * pin[1] + bow, 0])
+                         (1 - s) * pin[1] + bow, 0, 0, bow, 0])
         rows.append([t, "slider", "rigid", 0, slider, 0, 0])
         rows.append([t, "plate", "solid", 0, 0.4, 0, 0])
-    write_csv(folder / "frames.csv",
-              ["time [s]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
+    write_frames(folder, "time [s]", rows)
 
 
 def write_shapes(folder):
@@ -55,8 +62,7 @@ def write_shapes(folder):
     write_csv(folder / "sections.csv", ["body", "element", "along x [m]", "along y [m]", "along z [m]"],
               [["crank", e, 0.02, 0.02, 0.02] for e in range(8)] + [["rod", e, 1e-4, 1e-4, 1e-4] for e in range(8)])
     square = lambda h: [(-h, -h), (h, -h), (h, h), (-h, h), (-h, -h)]  # noqa: E731
-    write_csv(folder / "part_lines.csv", ["time [s]", "body", "line", "x [m]", "y [m]", "z [m]",
-                                          "bending x [m]", "bending y [m]", "bending z [m]"],
+    write_csv(folder / "part_lines.csv", ["time [s]", "body", "line", *PLACE],
               [[t, "plate", line, 0.4 + x, y, 0, 0, 1e-3 * x, 0] for t in times(13, 0.042)[::3]
                for line, points in ((0, square(0.03)), (1, square(0.01)[::-1])) for x, y in points] +
               [[t, "slider", 0, 0.3, y, 0, 0, 0, 0] for t in times(13, 0.042)[::3] for y in (0, 0.02)])
@@ -113,8 +119,7 @@ def write_spatial(folder):
             a = math.pi / 4 * k / 8
             rows.append([load, "arc", "beam", k, 100 * math.sin(a) * (1 - 0.3 * load * (k / 8) ** 2),
                          100 * (1 - math.cos(a)), 55 * load * (k / 8) ** 2])
-    write_csv(folder / "frames.csv",
-              ["load_factor [-]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
+    write_frames(folder, "load_factor [-]", rows)
     write_csv(folder / "responses.csv", ["load_factor [-]", "tip.x [m]", "tip.y [m]", "tip.z [m]"],
               [[load, -20 * load, -10 * load, 55 * load] for load in times(6, 1.0)])
     (folder / "summary.json").write_text(json.dumps({"name": "bend45", "status": "done"}))
@@ -418,7 +423,7 @@ class Plot(unittest.TestCase):
         """Ten of them, with number and frequency, each alone in its axes."""
         rows = [[100.0 * n, "rod", "beam", k, k / 8, 0.1 * math.sin(math.pi * n * k / 8), 0]
                 for n in range(1, 11) for k in range(9)]
-        write_csv(self.folder / "frames.csv", ["frequency [Hz]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
+        write_frames(self.folder, "frequency [Hz]", rows)
         (self.folder / "summary.json").write_text(json.dumps(
             {"name": "rod", "frequencies_hz": [100.0 * n for n in range(1, 11)]}))
         self.assertEqual(plot(self.folder).returncode, 0)
@@ -426,18 +431,16 @@ class Plot(unittest.TestCase):
         titles = [text for n in range(1, 11) for text in re.findall(rf"<!-- {n}: {100 * n:g} Hz -->", svg)]
         self.assertEqual(len(titles), 10)
         self.assertIn("10 shapes of vibration", svg)
-        write_csv(self.folder / "frames.csv", ["frequency [Hz]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"],
-                  [row for row in rows if row[0] != 200])
+        write_frames(self.folder, "frequency [Hz]", [row for row in rows if row[0] != 200])
         self.assertEqual(plot(self.folder).returncode, 0)
         self.assertIn("<!-- 3: 300 Hz -->", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
 
     def test_modes_are_beside_the_mechanism_at_rest(self):
         """Which is the first instant, of frequency 0, and no mode. In space panels are no higher than what they show."""
-        heads = ["frequency [Hz]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"]
         rows = [[100.0 * n, "rod", "beam", k, k / 8, 0.02 * n * math.sin(math.pi * k / 8), 0.01 * n] for n in range(4) for k in range(9)]
         (self.folder / "summary.json").write_text(json.dumps({"name": "rod", "frequencies_hz": [100.0, 200.0, 300.0]}))
         for kept, rest in ((rows, True), (rows[9:], False)):
-            write_csv(self.folder / "frames.csv", heads, kept)
+            write_frames(self.folder, "frequency [Hz]", kept)
             self.assertEqual(plot(self.folder).returncode, 0)
             svg = (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8")
             self.assertEqual("<!-- at rest -->" in svg, rest)
@@ -458,7 +461,7 @@ class Plot(unittest.TestCase):
 
     def test_a_part_in_space_that_moves_in_a_plane_is_drawn_there(self):
         import mechanism as drawn  # noqa: PLC0415
-        instants = [(t, {"rod": ("solid", [(t, 0, 0), (t + 1, t, 0)])}) for t in (0.0, 1.0)]
+        instants = [(t, {"rod": ("solid", [(t, 0, 0, 0, 0, 0), (t + 1, t, 0, 0, 0, 0)])}) for t in (0.0, 1.0)]
         edges = lambda b: {(t, "rod"): [[(t, 0, -0.1, 0, 0.01, b), (t + 1, t, 0.1, 0, 0.01, b)]] for t in (0.0, 1.0)}  # noqa: E731
         shapes = lambda b: drawn.Shapes({}, edges(b))  # noqa: E731
         self.assertEqual(drawn.shown_axes(instants, shapes(1e-4)), [0, 1])
@@ -472,15 +475,33 @@ class Plot(unittest.TestCase):
         shapes = drawn.read_shapes(self.folder, instants)
         beams = drawn.bending_scale(instants)
         self.assertEqual(drawn.bending_scale(instants, shapes.parts), beams)  # those bend less
-        moved = drawn.scaled_parts(shapes.parts, beams)
-        for key, lines in shapes.parts.items():
-            for line, larger in zip(lines, moved[key]):
-                for (x, y, z, bx, by, bz), at in zip(line, larger):
-                    self.assertAlmostEqual(math.dist(at, (x + (beams - 1) * bx, y + (beams - 1) * by, z)), 0, places=12)
+        moved, larger, _ = drawn.enlarge(instants, shapes, "time [s]")
+        points = lambda instants, shapes: [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes] + [  # noqa: E731
+            x for lines in shapes.parts.values() for line in lines for x in line]
+        for (x, y, z, bx, by, bz), at in zip(points(instants, shapes), points(moved, larger), strict=True):
+            self.assertAlmostEqual(math.dist(at[:3], (x + (beams - 1) * bx, y + (beams - 1) * by, z)), 0, places=12)
         bent = {key: [[(*x[:3], 0, 1000 * x[4], 0) for x in line] for line in lines] for key, lines in shapes.parts.items()}
         self.assertLess(drawn.bending_scale(instants, bent), beams)  # now the part sets it
         self.assertEqual(plot(self.folder).returncode, 0)
         self.assertIn(f"bending × {beams:g}", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
+
+    def test_statics_are_drawn_from_rest(self):
+        """A cantilever keeps its clamp and sinks, and it is its displacement that the heading names; its plane is that of the load
+        however little it bends."""
+        import mechanism as drawn  # noqa: PLC0415
+        for tip, scale in ((-3e-3, "20"), (-3e-8, "500000")):
+            deflection = [tip * (k / 8) ** 2 * (3 - k / 8) / 2 for k in range(9)]
+            write_frames(self.folder, "load_factor [-]",
+                         [[1.0, "bar", "beam", k, k / 8, 0, w, 0, 0, w] for k, w in enumerate(deflection)])
+            (self.folder / "summary.json").write_text("{}")
+            self.assertEqual(plot(self.folder).returncode, 0)
+            self.assertIn(f"mechanism, displacement × {scale}", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
+            instants, abscissa = drawn.read_frames(self.folder / "frames.csv")
+            self.assertEqual(drawn.shown_axes(instants, drawn.Shapes({}, {})), [0, 2])
+            instants, _, _ = drawn.enlarge(instants, drawn.Shapes({}, {}), abscissa)
+            sunk = [x[2] for x in instants[0][1]["bar"][1]]
+            self.assertEqual(sunk, sorted(sunk, reverse=True))
+            self.assertAlmostEqual(sunk[8], float(scale) * tip)
 
     def test_half_a_result(self):
         """A file that was cut off, within a line, after a line, or in the middle."""

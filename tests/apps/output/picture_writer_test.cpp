@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "apps/output/csv_writer.hpp"
 #include "apps/output/file.hpp"
 #include "tests/apps/output_sample.hpp"
 
@@ -119,6 +120,9 @@ TEST(PictureWriter, RodsAreLinesFromPortToPort) {
   beam.name = "boom", beam.kind = "beam", beam.nodes = 3;
   beam.elements = {{0, 1}, {1, 2}};
   beam.reference_positions = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+  for (int k = 0; k < 3; ++k)
+    beam.reference_rotations.insert(beam.reference_rotations.end(), kIdentity.begin(),
+                                    kIdentity.end());
   beam.positions.clear(), beam.rotations.clear();
   for (std::size_t n = 0; n < r.times.size(); ++n)
     for (int k = 0; k < 3; ++k) {
@@ -136,6 +140,41 @@ TEST(PictureWriter, RodsAreLinesFromPortToPort) {
   EXPECT_NE(text.find("\n0,lift,0,7,8,9,0,0,0\n0,lift,0,1,0.75,0,0,0.5,0\n"), std::string::npos)
       << text;
   EXPECT_EQ(text.find("pin"), std::string::npos);
+}
+
+/// A bow turned by 90 degrees, its middle moved by 0.1: that alone is drawn larger of a motion; in
+/// statics it is the whole displacement, of rigid bodies and meshed parts, too.
+TEST(PictureWriter, WhatIsDrawnLargerIsDeformationOrDisplacement) {
+  const TemporaryFolder folder;
+  Results r = moved_plate(1);
+  r.bodies[0].reference_positions = {5, 0, 0.25};
+  r.bodies[0].reference_rotations = r.bodies[0].rotations;
+  r.bodies.resize(3);
+  BodyResult &bow = r.bodies[1], &block = r.bodies[2];
+  bow.name = "bow", bow.kind = "beam", bow.nodes = 3;
+  bow.elements = {{0, 1}, {1, 2}};
+  bow.reference_positions = {0, 0, 0, 1, 1, 0, 2, 0, 0};
+  bow.positions = {0, 0, 0, -1, 1.125, 0, 0, 2, 0};
+  for (int k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 9; ++i) {
+      bow.reference_rotations.push_back(kIdentity[i]);
+      bow.rotations.push_back(r.bodies[0].rotations[i]);
+    }
+  block.name = "block", block.kind = "rigid", block.nodes = 1;
+  block.points = {0, 0, 0, 2, 0, 0};
+  block.positions = {1, 0, 0}, block.reference_positions = {0, 0, 0};
+  block.rotations = r.bodies[0].rotations, block.reference_rotations = kIdentity;
+  const auto has = [&](const std::string& row) {
+    write_frames_csv(folder.path() / "frames.csv", r);
+    write_part_lines_csv(folder.path() / "lines.csv", r);
+    return (read_file(folder.path() / "frames.csv") + read_file(folder.path() / "lines.csv"))
+               .find("\n" + row + "\n") != std::string::npos;
+  };
+  EXPECT_TRUE(has("0,bow,beam,1,-1,1.125,0,0,0.125,0") && has("0,block,0,1,2,0,0,0,0"));
+  EXPECT_TRUE(has("0,plate,0,5,1.5,0,0,0,0"));
+  r.abscissa = "load_factor";
+  EXPECT_TRUE(has("0,bow,beam,1,-1,1.125,0,-2,0.125,0") && has("0,block,0,1,2,0,-1,2,0"));
+  EXPECT_TRUE(has("0,plate,0,5,1.5,0,0,0,-0.25"));
 }
 
 /// Turned by 90 degrees about z at (5, 0, 0): from its centre of mass to a point and a joint; not

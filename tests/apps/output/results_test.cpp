@@ -237,8 +237,8 @@ TEST(Csv, JointsEnergiesAndFrames) {
   EXPECT_EQ(std::stod(energies[1][2]), 1.1);
   const auto frames = read_csv(place / "frames.csv");
   ASSERT_EQ(frames.size(), 1u + 5 * 4);
-  EXPECT_EQ(frames[1],
-            (std::vector<std::string>{"0", "rod", "beam", "0", "1000.1", "1001.1", "1002.1"}));
+  EXPECT_EQ(frames[1], (std::vector<std::string>{"0", "rod", "beam", "0", "1000.1", "1001.1",
+                                                 "1002.1", "0", "0", "0"}));
   EXPECT_EQ(frames[4][1], "top/left");
 }
 

@@ -34,21 +34,16 @@ export class Body {
     }
   }
 
-  /** A shape of vibration: the frames at rest moved by `size` of mode i. */
-  mode(i, size) {
-    const N = this.nodes, a = i * N;
-    for (let k = 0; k < N; ++k) {
-      for (let c = 0; c < 3; ++c) {
-        const rest = this.x0[3 * k + c];
-        this.x[3 * k + c] = rest + size * (this.xs[c][a + k] - rest);
-      }
+  /** Moves the frames on, to `size` times what they have moved from rest. */
+  enlarge(size) {
+    const { x, q, x0, q0 } = this;
+    if (size === 1) return;
+    for (let i = 0; i < x.length; ++i) x[i] = x0[i] + size * (x[i] - x0[i]);
+    for (let k = 0; k < q.length; k += 4) {
       let dot = 0;
-      for (let c = 0; c < 4; ++c) dot += this.q0[4 * k + c] * this.qs[c][a + k];
-      for (let c = 0; c < 4; ++c) {
-        const rest = this.q0[4 * k + c];
-        this.q[4 * k + c] = rest + size * (Math.sign(dot || 1) * this.qs[c][a + k] - rest);
-      }
-      normalise(this.q, 4 * k);
+      for (let c = k; c < k + 4; ++c) dot += q0[c] * q[c];
+      for (let c = k; c < k + 4; ++c) q[c] = q0[c] + size * (Math.sign(dot || 1) * q[c] - q0[c]);
+      normalise(q, k);
     }
   }
 

@@ -17,6 +17,7 @@ export class Player {
     Object.assign(this, { motion, clock, summary, cases: summary.load_cases, playing: false, speed: 1, phase: 0, frames: [] });
     this.modes = motion.abscissa === 'frequency';
     this.shapes = this.modes || motion.abscissa === 'load_case';
+    this.larger = this.modes ? 'amplitude' : motion.abscissa === 'time' ? 'deformation' : 'displacement';
     this.scales = this.modes ? kAmplitudes : kScales;
     this.instantText = motion.unit === 's' ? inOneUnit([clock.last], 's') : (at) => (motion.unit === '-' ? number(at, 4) : quantity(at, motion.unit, 4));
     this.canvas = el('canvas', { tabindex: 0, 'aria-label': 'mechanism; drag to turn, wheel to zoom' });
@@ -72,10 +73,10 @@ export class Player {
       kSpeeds.map((s) => el('option', { value: s, selected: s === 1 }, `\u00d7 ${s}`)));
     return el('div', { class: 'controls' },
       this.button, el('label', { for: 'time' }, this.modes ? 'mode' : this.motion.abscissa.replace('_', ' ')), this.slider, this.label,
-      el('span', {}), el('label', { for: 'scale' }, this.modes ? 'amplitude' : 'deformation'), this.scaler, this.scaleLabel,
+      el('span', {}), el('label', { for: 'scale' }, this.larger), this.scaler, this.scaleLabel,
       el('span', {}), el('label', { for: 'colour' }, 'colour'),
       el('span', { class: 'small' }, this.colours, this.rate,
-        el('button', { id: 'good', title: 'true shape, or deformation that can be seen (D)', onclick: () => this.goodScale() }, this.modes ? 'as computed' : 'true / magnified'),
+        el('button', { id: 'good', title: `true shape, or ${this.larger} that can be seen (D)`, onclick: () => this.goodScale() }, this.modes ? 'as computed' : 'true / magnified'),
         el('button', { id: 'fit', title: 'whole motion (F)', onclick: () => this.view?.fit() }, 'fit')));
   }
 
@@ -84,7 +85,7 @@ export class Player {
     if (this.shapes) return;
     const text = shown < records ? `${shown} of ${records} recorded instants, evenly spread; charts keep every peak` : `${records} instants`;
     this.node.append(el('p', { class: 'hint' }, text,
-      ' \u00b7 space plays, \u2190 \u2192 steps, + \u2212 deformation, C colour, F fits; on a chart P goes to its peak'));
+      ' \u00b7 space plays, \u2190 \u2192 steps, + \u2212 ', this.larger, ', C colour, F fits; on a chart P goes to its peak'));
   }
 
   fillColours() {
@@ -144,7 +145,7 @@ export class Player {
   /** What the sliders say, as a line. */
   describe() {
     const what = this.modes ? 'mode of' : this.motion.abscissa.replace('_', ' ');
-    this.caption.textContent = `${what} ${this.label.textContent} \u00b7 ${this.modes ? 'amplitude' : 'deformation'} ${this.scaleLabel.textContent}`;
+    this.caption.textContent = `${what} ${this.label.textContent} \u00b7 ${this.larger} ${this.scaleLabel.textContent}`;
   }
 
   toggle(on = !this.playing) {

@@ -56,10 +56,6 @@ export class SolidView {
     for (let c = 0; c < k; ++c) this.e[c] = (1 - s) * this.amplitudes[a + c] + s * this.amplitudes[b + c];
   }
 
-  mode(i, size) {
-    for (let c = 0; c < this.count; ++c) this.e[c] = size * this.amplitudes[i * this.count + c];
-  }
-
   /** Von Mises stress of the vertices, of the full material. @returns the largest */
   stress() {
     const { stressBasis, e, stresses } = this, n = stressBasis[0]?.length ?? 0, sigma = new Float64Array(6);
@@ -73,14 +69,14 @@ export class SolidView {
     return largest;
   }
 
-  /** Deformation u of the vertices, and its size seen from the chord, between the first interface
+  /** `size` times the deformation u of the vertices, and its size seen from the chord, between the first interface
       and the one farthest from it. */
-  deform() {
+  deform(size) {
     const { u, e, basis, vertices } = this;
     u.fill(0);
     for (let k = 0; k < this.count; ++k)
       for (let c = 0; c < 3; ++c) {
-        const psi = basis[k][c], f = e[k];
+        const psi = basis[k][c], f = size * e[k];
         if (f !== 0) for (let v = 0; v < vertices; ++v) u[3 * v + c] += f * psi[v];
       }
     this.findChord();

@@ -7,8 +7,8 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BeamView } from './beams.js';
 import { Closure } from './closure.js';
 import { array, components } from './data.js';
+import { displacements, displacementsAt } from './displacements.js';
 import { onTheme, theme } from './dom.js';
-import { modeSizes } from './modes.js';
 import { Body } from './motion.js';
 import { quantities } from './quantities.js';
 import { grid, JointView, RigidView } from './scenery.js';
@@ -32,6 +32,7 @@ export class View {
     this.t = array(motion.t);
     this.modes = motion.abscissa === 'frequency';
     this.shapes = this.modes || motion.abscissa === 'load_case';  // each record a shape by itself
+    this.fromRest = motion.abscissa !== 'time';  // displacements from rest are drawn larger, not deformation about chords
     this.bodies = motion.bodies.map((d) => new Body(d, this.t.length));
     this.byName = new Map(this.bodies.map((b) => [b.name, b]));
     Object.assign(this, { instant: 0, scale: 1, phase: 1, colour: null, dirty: true });
@@ -134,33 +135,35 @@ export class View {
 
   /** Ranges of colours: forces and stresses from the records, deformations by looking at some. */
   addRanges() {
-    let size = 0, stress = 0;
-    const n = this.t.length, ofModes = [];
-    if (this.modes)
-      for (let i = 0; i < n; ++i) for (const { view, body } of this.parts) if (view.deform || view.chord) ofModes.push(modeSizes(view, body, i));
+    let size = 0, stress = 0, ofRigid = 0;
+    const n = this.t.length;
     this.largest = 0;  // instant of the largest deformation
-    const few = this.motion.meshes.length ? 60 : 600;  // instants to look at: vertices are many
+    const few = this.shapes ? n : this.motion.meshes.length ? 60 : 600;  // instants to look at: vertices are many
     for (let i = 0; i < n; i += Math.max(1, Math.floor(n / few))) {
       const before = size;
       this.moveBodies(i, 0, 1);
       for (const { view, body } of this.parts) {
-        if (view.chord) {
-          view.chord.update();
-          for (let k = 0; k < body.nodes; ++k) size = Math.max(size, view.chord.size(k));
-        } else if (view.sizes) {
-          stress = Math.max(stress, view.stress());
-          for (let v = 0; v < view.vertices; v += 7) {
-            size = Math.max(size, view.deformation(view.x0[0][v], view.x0[1][v], view.x0[2][v], 3 * v));
-          }
-        }
+        if (view.sizes) stress = Math.max(stress, view.stress());
+        if (view.bend) size = Math.max(size, this.sizeOf(view, body, i));
+        else if (this.fromRest) ofRigid = Math.max(ofRigid, this.sizeOf(view, body, i));
       }
       if (size > before) this.largest = i;
     }
-    if (this.modes) size = ofModes.reduce((most, sizes) => sizes.reduce((a, b) => Math.max(a, b), most), 0);
-    this.deformed = size;
-    const label = this.modes ? 'displacement' : 'deformation';  // of modes from rest, else about the chord
+    this.deformed = size > 0 ? Math.max(size, ofRigid) : 0;
+    const label = this.fromRest ? 'displacement' : 'deformation';  // else about the chord
     const deformation = { key: 'displacement', label, unit: 'm', map: 'size', size, low: 0, high: size };
     this.quantities = [...(size > 0 ? [deformation] : []), ...(this.modes ? [] : quantities(this.bodies, stress))];
+  }
+
+  /** Of a body at the record that it has been moved to, the largest of what is drawn larger. */
+  sizeOf(view, body, i) {
+    if (this.fromRest) return displacements(view, body, i).reduce((a, b) => Math.max(a, b), 0);
+    let size = 0;
+    view.chord?.update();
+    for (let k = 0; view.chord && k < body.nodes; ++k) size = Math.max(size, view.chord.size(k));
+    for (let v = 0; v < (view.vertices ?? 0); v += 7)
+      size = Math.max(size, view.deformation(view.x0[0][v], view.x0[1][v], view.x0[2][v], 3 * v));
+    return size;
   }
 
   /** A scale that shows the largest deformation as a tenth of the picture; 1, 2 or 5 times a power. */
@@ -170,14 +173,14 @@ export class View {
     return Math.max(1, [5, 2, 1].map((k) => k * power).find((k) => k <= raw * 1.001) ?? power);
   }
 
+  /** @param size by which displacements from rest are drawn larger */
   moveBodies(i, s, size) {
     for (const { view, body } of this.parts) {
-      if (this.shapes) body.mode(i, size);
-      else body.at(i, s);
+      body.at(i, s);
+      body.enlarge(size);
       if (!view.at) continue;
-      if (this.shapes) view.mode(i, size);
-      else view.at(i, s);
-      view.deform();
+      view.at(i, s);
+      view.deform(size);
     }
   }
 
@@ -190,14 +193,15 @@ export class View {
   update() {
     const last = this.t.length - 1, i = Math.min(Math.floor(this.instant), last);
     const s = this.shapes ? 0 : Math.min(this.instant - i, 1);
-    const scale = this.modes ? 1 : this.scale;
-    this.moveBodies(i, s, this.modes ? this.phase * this.scale : this.phase);
+    const scale = this.fromRest ? 1 : this.scale, sized = this.colour?.key === 'displacement';
+    if (this.fromRest && sized) for (const { view, body } of this.parts) if (view.bend) view.fromRest = displacementsAt(view, body, i, s);
+    this.moveBodies(i, s, this.fromRest ? this.phase * this.scale : 1);
     for (const { view } of this.parts) view.chord?.update();
     this.closure.update(scale - 1);
     for (const { view, body, plain } of this.parts) {
       const colour = this.colourOf(view, body, i, s);
-      if (view.chord && colour && this.colour.key === 'displacement')
-        for (let k = 0; k < body.nodes; ++k) view.value[k] = this.modes ? modeSizes(view, body, i)[k] : view.chord.size(k);
+      if (view.chord && colour && sized)
+        for (let k = 0; k < body.nodes; ++k) view.value[k] = this.fromRest ? view.fromRest[k] : view.chord.size(k);
       if (view.spread && colour && this.colour.key !== 'stress') view.spread();
       view.update(scale, colour, plain);
     }
@@ -208,7 +212,7 @@ export class View {
   /** What a body is coloured by now; null: plain. */
   colourOf(view, body, i, s) {
     if (!this.colour) return null;
-    if (view.sizes) view.value = this.colour.key === 'stress' ? view.stresses : this.modes ? modeSizes(view, body, i) : view.sizes;
+    if (view.sizes) view.value = this.colour.key === 'stress' ? view.stresses : this.fromRest && this.colour.key === 'displacement' ? view.fromRest : view.sizes;
     if (view.sizes && this.colour.key === 'stress') view.stress();
     if (this.colour.key === 'displacement' || (view.sizes && this.colour.key === 'stress')) return this.colour;
     const field = this.colour.field(body);
@@ -224,7 +228,7 @@ export class View {
     if (!body) return out;
     out.applyQuaternion(this.turn(name, node, kQ));
     const view = this.viewOf.get(name);
-    if (view.chord) return out.add(view.chord.place(node, this.modes ? 1 : this.scale, kV));
+    if (view.chord) return out.add(view.chord.place(node, this.fromRest ? 1 : this.scale, kV));
     return out.add(kV.fromArray(body.x, 3 * Math.min(node, body.nodes - 1))).add(this.closure.shiftOf(name, node));
   }
   turn(name, node, out) {
@@ -257,7 +261,7 @@ export class View {
 
   /** The camera as near as the whole motion allows. */
   fit() {
-    const centre = this.box.getCenter(new Vector3()), margin = (this.shapes ? 0.1 : 0.05) * this.size;  // shapes are magnified
+    const centre = this.box.getCenter(new Vector3()), margin = (this.fromRest ? 0.1 : 0.05) * this.size;  // what moves from rest is magnified
     const from = this.planar
       ? this.normal.clone().addScaledVector(this.up, 0.2).addScaledVector(kV.crossVectors(this.up, this.normal), -0.1)
       : new Vector3(0.75, -1, 0.55);
