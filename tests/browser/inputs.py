@@ -92,4 +92,18 @@ tip = { fixed = ["bar.end", "load.origin"] }
 down = { at = "load.origin", force = [0, -1, 0] }
 [simulation]
 type = "static"
+[responses]
+sunk = { response = "displacement", at = "bar.end" }
+stress = { response = "stress", of = "bar" }
+"""
+CANTILEVER_STUDY = """scene = "cantilever.toml"
+[design]
+w = { of = "bar", property = "width", bounds = [0.01, 0.05] }
+h = { of = "bar", property = "height", bounds = [0.005, 0.05] }
+[objective]
+minimize = "mass"
+of = ["bar"]
+[constraints]
+sunk = { use = "sunk", limit = 1e-3 }
+stress = { use = "stress", limit = 20e6 }
 """

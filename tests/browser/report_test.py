@@ -21,7 +21,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 from driver import programs  # noqa: E402
-from inputs import BATCH, BRANCHES, CANTILEVER, COMPARE  # noqa: E402
+from inputs import BATCH, BRANCHES, CANTILEVER, CANTILEVER_STUDY, COMPARE  # noqa: E402
 from pages import DATA, FOLDER, HASH, MARGIN, PROGRAM, PageTest, folder_of, liesl, rod  # noqa: E402
 
 SUPERSCRIPTS = str.maketrans("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079\u207b", "0123456789-")
@@ -255,6 +255,20 @@ class Pages(PageTest):
         self.assertIn("displacement", self.browser.run("return document.querySelector('label[for=scale]').textContent"))
         opening = self.browser.run("return document.querySelector('.stage canvas').openings().tip")
         self.assertLess(opening, 1e-5)
+
+    def test_limits_fit_and_ticks_differ(self):
+        """The last column of a table of limits is in sight on a laptop; what changes by rounding alone is a level line."""
+        (FOLDER / "cantilever.toml").write_text(CANTILEVER)
+        (FOLDER / "bar.toml").write_text(CANTILEVER_STUDY)
+        self.show(folder_of("bar", "optimize", str(FOLDER / "bar.toml")))
+        hidden = "return [...document.querySelectorAll('.scroll')].map((s) => s.scrollWidth - s.clientWidth).filter((w) => w > 0)"
+        self.assertEqual(self.browser.run(hidden), [])
+        self.browser.run(WRITTEN)
+        self.browser.call("POST", "/window/rect", {"width": 1240, "height": 1000})  # they are drawn again
+        self.browser.frames()
+        written = self.browser.run("return written")
+        self.assertIn("1", written)
+        self.assertLessEqual(written.count("1"), 3 + 1, written)  # first cycle of three charts, one load
 
     def test_cycles_show_design_and_figures(self):
         self.show(rod())

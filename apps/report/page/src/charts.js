@@ -131,10 +131,13 @@ function draw(holder, lines, d, scale) {
   return plot;
 }
 
+const kRounding = 1e-5;  // differences, of the values, that are no curve
+
 function range(low, high, limit) {
   if (low === null || high === null) return [0, 1];
   const top = limit ? Math.max(high, 1.08 * limit) : high;
-  const pad = 0.06 * (top - low || Math.abs(top) || 1);
+  const size = Math.max(Math.abs(low), Math.abs(top)), span = top - low > kRounding * size ? top - low : size;
+  const pad = 0.06 * (span || 1);
   return [low >= 0 && low < 0.3 * top ? 0 : low - pad, top + pad];
 }
 
