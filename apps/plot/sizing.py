@@ -11,6 +11,8 @@ from motion import before_after, grouped_columns, limit_tables
 from style import BLUE, GREEN, GREY, LIMIT, ORANGE, RED, label, legend, scale_of, scaled, stacked
 from tables import table
 
+DESIGNS = 3  # of an overview, more are in the picture of the design
+
 
 def draw_history(_folder, pictures, summary):
     history = summary.get("history") or []
@@ -98,7 +100,7 @@ def draw_steps(ax, rows, variable, body):
     factor, unit = scale_of([row[k] for row in rows for k in (2, 3)], rows[0][6])
     column = lambda k: scaled([row[k] for row in rows], factor)
     lower, upper = column(4), column(5)
-    ax.stairs(column(3), edges, baseline=0, fill=True, color=BLUE, alpha=0.15)
+    ax.stairs(column(3), edges, baseline=0, fill=True, color=GREY, alpha=0.12)  # blue ones are errors
     ax.stairs(column(2), edges, baseline=None, color=ORANGE, linewidth=1.8, label="initial")
     ax.stairs(column(3), edges, baseline=None, color=BLUE, linewidth=2.2, label="final")
     ax.stairs(lower, edges, baseline=None, label="bounds", **LIMIT)
@@ -114,39 +116,55 @@ def draw_steps(ax, rows, variable, body):
     ax.set_xlabel(f"along {body} [m]")
 
 
+def governing(motions, constraints):
+    """The limit that is violated most or has least to spare, of those with a response to draw: its name, its response, and tables
+    of its motion; None: there is none."""
+    found = [(f"{stem} ({scenario})" if scenario else stem, stem, before, after)
+             for scenario, before, after in motions for stem in grouped_columns(after)]
+    spent = lambda entry: constraints[entry[0]].get("violation") or 0  # noqa: E731
+    return max((entry for entry in found if entry[0] in constraints), key=spent, default=None)
+
+
 def draw_overview(folder, pictures, summary):
-    """Of an optimisation, in one picture: the mechanism, the first limit, the first design."""
-    motions = limit_tables(folder)
-    design = table(folder, "design.csv")
-    if not motions or design is None or not (folder / "frames.csv").exists():
+    """Of an optimisation, in one picture: the mechanism, the governing limit, the design."""
+    constraints, design = summary.get("constraints", {}), table(folder, "design.csv")
+    limit = governing(limit_tables(folder), constraints)
+    if limit is None or design is None or not (folder / "frames.csv").exists():
         return
-    scenario, before, after = motions[0]
     instants, time_label = read_frames(folder / "frames.csv")
-    groups, constraints = grouped_columns(after), summary.get("constraints", {})
-    names = {stem: f"{stem} ({scenario})" if scenario else stem for stem in groups}
-    stems = [stem for stem in groups if names[stem] in constraints]
-    if not instants or not stems:
+    if not instants:
         return
     instants, shapes, larger = enlarge(instants, read_shapes(folder, instants), time_label)
     if len(shown_axes(instants, shapes)) == 3:
         return
-    figure = plt.figure(figsize=(11, 4.6), layout="constrained")
-    grid = figure.add_gridspec(2, 2, width_ratios=(1.15, 1))
+    panels = design_panels(design)
+    shown = list(panels.items())[:DESIGNS]
+    figure = plt.figure(figsize=(11, 2.6 + 2 * len(shown)), layout="constrained")
+    grid = figure.add_gridspec(1 + len(shown), 2, width_ratios=(1.15, 1))
     ax = figure.add_subplot(grid[:, 0])
+    ax.set_anchor("N")
     marks = mechanism(ax, instants, few(instants, peak_of(summary)), shown_axes(instants, shapes), time_label, shapes)
     ax.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3)
     ax.set_title(larger)
-    ax = figure.add_subplot(grid[0, 1])
-    name = names[stems[0]]
-    before_after(ax, before, after, name, groups[stems[0]], constraints[name])
+    draw_limit(figure.add_subplot(grid[0, 1]), limit, constraints)
+    for row, ((variable, body), rows) in enumerate(shown, 1):
+        draw_steps(figure.add_subplot(grid[row, 1]), sorted(rows), variable, body)
+    pictures.save(figure, "overview", heading_of(summary) + (f"; {DESIGNS} of {len(panels)} designs" if len(panels) > DESIGNS else ""))
+
+
+def draw_limit(ax, limit, constraints):
+    """@param limit as of governing"""
+    name, stem, before, after = limit
+    before_after(ax, before, after, name, grouped_columns(after)[stem], constraints[name])
     ax.set_xlabel(label(after.names[0], after.units[0]))
     ax.margins(x=0.01)
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 0.98), ncols=3)
-    (variable, body), rows = next(iter(design_panels(design).items()))
-    draw_steps(figure.add_subplot(grid[1, 1]), sorted(rows), variable, body)
+
+
+def heading_of(summary):
     masses = [summary.get(key) for key in ("mass_initial", "mass_final")]
     heading = f"{summary.get('status', '')} after {summary.get('cycles', '?')} cycles"
     if None not in masses:
         factor, unit = scale_of(masses, "kg")
         heading += f", {masses[0] * factor:.4g} {unit} → {masses[1] * factor:.4g} {unit}"
-    pictures.save(figure, "overview", heading)
+    return heading

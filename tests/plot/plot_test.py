@@ -306,6 +306,20 @@ class Plot(unittest.TestCase):
         self.draws(write_optimize, ["overview", "cycle_history", "response_before_after", "design",
                                     "responses", "energies", "mechanism"])
 
+    def test_overview_shows_the_governing_limit_and_the_designs(self):
+        def written():
+            self.assertEqual(plot(self.folder).returncode, 0)
+            return re.findall(r"<!-- (.+?) -->", (self.folder / "plots/overview.svg").read_text(encoding="utf-8"))
+        write_optimize(self.folder)
+        summary = json.loads((self.folder / "summary.json").read_text())
+        for worst, other in (("stress", "bending"), ("bending", "stress")):
+            summary["constraints"][worst]["violation"], summary["constraints"][other]["violation"] = 1e-4, -0.4
+            (self.folder / "summary.json").write_text(json.dumps(summary))
+            labels = written()
+            self.assertTrue(any(text.startswith(f"{worst} [") for text in labels), labels)
+            self.assertFalse(any(text.startswith(f"{other} [") for text in labels), labels)
+        self.assertTrue({"along rod [m]", "along crank [m]"} <= set(labels), labels)
+
     def test_band_of_an_error(self):
         """As wide as the error by mesh and step, around the line; as that in all, where it is known."""
         def picture(error):
