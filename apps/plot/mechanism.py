@@ -11,7 +11,7 @@ from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from space import space_panels, whole_box
-from style import BLUE, GREEN, ORANGE, PURPLE, label
+from style import BLUE, GREEN, ORANGE, PURPLE, label, scale_of
 from tables import HalfResult, NothingToDraw, Table, table
 
 MODE_COLUMNS = 3  # panels beside each other
@@ -178,7 +178,7 @@ def draw_modes(pictures, instants, shapes, frequencies):
         frame_axes(ax, axes, drawn)
         ax.tick_params(labelsize=7)
         for axis in (ax.xaxis, ax.yaxis, ax.zaxis) if len(axes) == 3 else ():
-            axis.labelpad = 6
+            axis.labelpad -= 6
             axis.label.set_fontsize(8)
 
     figure, panels = mode_panels(axes, titles, frame)
@@ -436,22 +436,27 @@ def extremes(points):
 
 
 def frame_axes(ax, axes, points):
-    """Labels, and the same scale in all directions."""
+    """Labels in a unit that needs no power of ten beside the axes, and the same scale in all directions."""
+    low, high = extremes(points)
+    factor, unit = scale_of([x for corner in (low, high) for x in (corner[k] for k in axes)], "m")
     for k, name in zip(axes, "xyz"):
-        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [m]", labelpad=12 if len(axes) == 3 else 4)
+        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [{unit}]")
+        getattr(ax, f"{name}axis").set_major_formatter(lambda v, _: f"{v * factor:g}".replace("-", "−"))
     if len(axes) == 2:
-        low = [min(p[k] for p in points) for k in axes]
-        high = [max(p[k] for p in points) for k in axes]
-        size = [max(b - a, 0.4 * max(h - l for l, h in zip(low, high)), 1e-9)
-                for a, b in zip(low, high)]
-        for set_limits, a, b, span in zip((ax.set_xlim, ax.set_ylim), low, high, size):
-            set_limits((a + b - 1.12 * span) / 2, (a + b + 1.12 * span) / 2)
-        ax.set_aspect("equal", adjustable="box")
+        frame_plane(ax, [low[k] for k in axes], [high[k] for k in axes])
         return
-    spans = [max(max(p[k] for p in points) - min(p[k] for p in points), 1e-9) for k in range(3)]
+    spans = [max(b - a, 1e-9) for a, b in zip(low, high)]
     box = [max(span, 0.2 * max(spans)) for span in spans]
     for k, name in enumerate("xyz"):
-        middle = (max(p[k] for p in points) + min(p[k] for p in points)) / 2
+        middle, axis = (low[k] + high[k]) / 2, getattr(ax, f"{name}axis")
         getattr(ax, f"set_{name}lim")(middle - 0.52 * box[k], middle + 0.52 * box[k])
-        getattr(ax, f"{name}axis").set_major_locator(MaxNLocator(5 if box[k] > 0.4 * max(box) else 3))
+        axis.set_major_locator(MaxNLocator(5 if box[k] > 0.4 * max(box) else 3))
+        axis.labelpad = 12 + 10 * (max(box) / max(box[:k] + box[k + 1:]) - 1)  # away along the others, which may be short
     ax.set_box_aspect(box, zoom=0.9)
+
+
+def frame_plane(ax, low, high):
+    size = [max(b - a, 0.4 * max(h - l for l, h in zip(low, high)), 1e-9) for a, b in zip(low, high)]
+    for set_limits, a, b, span in zip((ax.set_xlim, ax.set_ylim), low, high, size):
+        set_limits((a + b - 1.12 * span) / 2, (a + b + 1.12 * span) / 2)
+    ax.set_aspect("equal", adjustable="box")

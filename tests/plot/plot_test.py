@@ -463,6 +463,26 @@ class Plot(unittest.TestCase):
             width, height = map(float, re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups())
             self.assertLess(height, 0.4 * width)  # three squares beside each other were as high as wide a third, and headings
 
+    def test_axes_in_space_have_a_unit_and_labels_beside_their_ticks(self):
+        """Nothing is multiplied by a power of ten, however small; the label of a long axis is clear of its ticks."""
+        import matplotlib.pyplot as plt  # noqa: PLC0415
+        import mechanism as drawn  # noqa: PLC0415
+        from space import drawn_box  # noqa: PLC0415
+
+        def frame(ax):
+            drawn.frame_axes(ax, [0, 1, 2], [(0, -3e-5, -3e-5), (2e-4, 3e-5, 3e-5)])
+            axes.append(ax)
+        axes = []
+        drawn_box(frame, 7.5)
+        figure, ax = axes[0].figure, axes[0]
+        for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
+            self.assertEqual(axis.get_offset_text().get_text(), "")
+            self.assertIn("[mm]", axis.label.get_text())
+            label = axis.label.get_window_extent(figure.canvas.get_renderer())
+            for tick in filter(lambda t: t.get_text(), axis.get_ticklabels()):
+                self.assertFalse(label.overlaps(tick.get_window_extent(figure.canvas.get_renderer())), tick.get_text())
+        plt.close(figure)
+
     def test_rods_and_cylinders_are_drawn(self):
         write_run(self.folder), write_shapes(self.folder)
         self.assertEqual(plot(self.folder).returncode, 0)
