@@ -251,7 +251,7 @@ class Pages(PageTest):
         self.picture()
         heights = self.browser.run(HEIGHTS)[2:]  # without wall and foot
         self.assertEqual(heights, sorted(heights))
-        self.assertGreater(heights[-1], heights[0] + 20)
+        self.assertGreater(heights[-1], heights[0] + 5)
         self.assertIn("displacement", self.browser.run("return document.querySelector('label[for=scale]').textContent"))
         opening = self.browser.run("return document.querySelector('.stage canvas').openings().tip")
         self.assertLess(opening, 1e-5)
