@@ -51,12 +51,10 @@ export function cycles(data, player) {
   return node;
 }
 
-/** "at t = 0.1 s"; where the motion runs over a load factor, that; of fixed loads "in load case 'lifting'". */
+/** " at t = 0.1 s", " at load factor 1"; of fixed loads " in load case 'lifting'". */
 function place(text, data) {
   if (!text) return '';
-  if (data.summary.load_cases) return ` in load case '${text}'`;
-  const { abscissa = 'time' } = data.motion ?? {};
-  return ` at ${abscissa === 'time' ? text : text.replace(/\bt = (\S+) s$/, `${abscissa.replace('_', ' ')} $1`)}`;
+  return data.summary.load_cases ? ` in load case '${text}'` : ` at ${text}`;
 }
 
 function figuresOf(h, data) {
