@@ -11,7 +11,7 @@ endif()
 # Compilers are called through ccache where there is one; what it must be told for precompiled headers
 # is in its manual, "Precompiled headers". It takes the sources that a compiler has read (CCACHE_DEPEND)
 # and runs no preprocessor before it. With the memory of tcmalloc in place of the C library's a compiler
-# takes 6 to 9 % less time (docs/performance.md).
+# takes 7 to 9 % less time (docs/performance.md).
 find_program(LIESL_CCACHE ccache)
 find_library(LIESL_COMPILER_MALLOC NAMES libtcmalloc_minimal.so.4)
 mark_as_advanced(LIESL_CCACHE LIESL_COMPILER_MALLOC)
